@@ -6,8 +6,8 @@ from measures import NOT_CODE, blank
 
 OPENED = re.compile(r"\bnamespace\s+([\w:]+)\s*\{")
 TAKEN_WHOLE = re.compile(r"\busing\s+namespace\s+([\w:]+)")
-# Others allow specialisations of their templates there.
-OF_OTHERS = {"std", "Eigen"}
+# Others allow specialisations of their templates there; Highway has one for each instruction set.
+OF_OTHERS = {"std", "Eigen", "HWY_NAMESPACE"}
 
 
 def namespace_of(layer: str) -> str:

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """No two folders of the kernel include each other, directly or by way of others."""
+import re
+
 import pytest
 from imports import circles
 from includes import depths, folder_at, folders_at, kernel_includes, mutual_pairs
@@ -55,3 +57,16 @@ def test_includes_are_read_from_the_sources(tmp_path):
     source = tmp_path / "a" / "one.cpp"
     source.write_text('#include "sheetmorph/a/one.h"\n#include <vector>\n#include "other.h"\n')
     assert kernel_includes([source], tmp_path) == {"a/one.cpp": {"a/one.h"}}
+
+
+def test_a_source_for_every_instruction_set_includes_itself():
+    """Another's path would compile that one, without any fault of the compiler."""
+    named = {
+        path.relative_to(KERNEL.parent).as_posix(): re.findall(
+            r'#define HWY_TARGET_INCLUDE "(.+)"', path.read_text()
+        )
+        for path in files(".cpp", below=KERNEL)
+        if "foreach_target.h" in path.read_text()
+    }
+    assert named
+    assert named == {path: [path] for path in named}

@@ -49,7 +49,7 @@ def shapes(instructions, path):
     return np.load(path)
 
 
-@pytest.mark.parametrize("instructions", ["portable", "avx2"])
+@pytest.mark.parametrize("instructions", ["portable", "ssse3", "avx2"])
 def test_narrow_instructions_give_the_same_shapes(instructions, tmp_path):
     widest = shapes("avx512", tmp_path / "widest.npy")
     narrow = shapes(instructions, tmp_path / "narrow.npy")

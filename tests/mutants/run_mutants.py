@@ -161,7 +161,9 @@ class Laboratory:
     def _tested(self, mutation: Mutation, text: str, scratch: Path) -> Verdict:
         start = time.monotonic()
         original = KERNEL / mutation.file
-        source, mutated = scratch / original.name, scratch / "mutated.o"
+        # Kernels include themselves by this path, once for each instruction set.
+        source, mutated = scratch / "sheetmorph" / mutation.file, scratch / "mutated.o"
+        source.parent.mkdir(parents=True)
         source.write_text(text, "utf-8")
         limit = self._limit(mutation)
         if limit is None:
@@ -170,6 +172,7 @@ class Laboratory:
         command = [changed.get(part, part) for part in self._compile[original]]
         ccache = shutil.which("ccache")
         command = ([ccache] if ccache else []) + with_output(command, mutated)
+        command += ["-iquote", str(scratch)]
         compiled = call(command, self.build)
         if compiled.status != 0:
             return Verdict("unsound", "does not compile: " + compiled.said[-2000:])

@@ -161,10 +161,11 @@ class Preprocessed:
         return self._contact_gaps[contact]
 
     def _rest_surface(self, part: str) -> Surface:
-        if part not in self._rest_surfaces:
+        found = self._rest_surfaces.get(part)
+        if found is None:
             mesh = self.meshes[part]
-            self._rest_surfaces[part] = Surface(mesh.points, mesh.triangles)
-        return self._rest_surfaces[part]
+            found = self._rest_surfaces[part] = Surface(mesh.points, mesh.triangles)
+        return found
 
     def kept_contacts(
         self, deformed: _core.Deformed, positions: Mapping[str, Floats]
@@ -189,6 +190,8 @@ class Preprocessed:
                     region_size=float(told.region_size),
                 )
             )
+        # Their search trees are large, and the session keeps the gaps at rest themselves.
+        self._rest_surfaces.clear()
         return found
 
     def feature_edges(self, name: str) -> Ints:

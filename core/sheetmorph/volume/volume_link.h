@@ -57,10 +57,13 @@ struct LinkedTargets
 //! Source points drive a control mesh (3.3), the control mesh drives target points (2.11).
 //! Targets move by the source's mean motion plus a displacement, so that a source at rest leaves
 //! them where they are, bit for bit, and a rigid motion of the source is theirs to rounding.
-//! Memory: about k * min(inputs, m) entries of six bytes, four times that with rotations; inputs
-//! are the n source points, twice as many with offset samples. Above `most_kept` the link keeps
-//! none: every transfer() works the weights out anew, 256 targets at a time. A link whose weights
-//! are those of the inputs does not keep its fit: the first control_vertices() makes it again.
+//! The rows of the targets apply to the inputs (n source points, twice as many with offset
+//! samples), or, where that takes less memory, to combinations of the inputs: s of them if the rows
+//! have the numerical rank s, the m control vertices if the targets are too many to compute a rank.
+//! Memory: about (k + inputs) * min(s, m) or k * inputs entries of six bytes, k four times the
+//! targets with rotations. Above `most_kept` the link keeps no rows: every transfer() computes the
+//! weights again, 256 targets at a time. Only such a link keeps its fit; otherwise the first
+//! control_vertices() computes it again.
 class VolumeLink
 {
 public:
@@ -95,8 +98,10 @@ private:
     const Fit& fit() const;
     void compose(const MeanValueCoordinates& coordinates, std::unique_ptr<const Fit> fit);
     void keep_rows(const MeanValueCoordinates& coordinates, const Fit& fit);
+    void keep_low_rank(const MeanValueCoordinates& coordinates, const Fit& fit);
     numerics::Weights target_rows(const MeanValueCoordinates& coordinates,
                                   Eigen::Index first) const;
+    Eigen::Index row_count() const;
     Points displacements(const Points& inputs, Exactness exactness) const;
 
     LinkOptions options_;
@@ -106,8 +111,8 @@ private:
     Matrix3 steps_;          // columns: how far apart the targets' map is compared, mm
     std::shared_ptr<LaterFit> later_fit_;
     std::vector<Eigen::Index> nearest_;  // source point of every target, with rotations
-    numerics::CompactPanelRows rows_;    // of the targets, on the inputs or on the control vertices
-    bool is_composed_ = false;
+    numerics::CompactPanelRows rows_;    // of the targets, on the inputs or on combined_
+    numerics::ExactPanelRows combined_;  // (s or m, inputs); empty: rows_ are on the inputs
     std::shared_ptr<const MeanValueCoordinates> coordinates_;  // instead of rows that are not kept
 };
 

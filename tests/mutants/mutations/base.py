@@ -45,13 +45,13 @@ MUTATIONS = [
     ),
     # Many rotations at once.
     Mutation(BATCH, "yz = f * v.y * v.z;", "yz = f * v.y * v.y;", BATCHES),
-    Mutation(BATCH, "xy - e * v.z,   -f * (xx + zz)", "xy + e * v.z,   -f * (xx + zz)", BATCHES),
-    Mutation(BATCH, "-f * (xx + zz), yz", "-f * (xx - zz), yz", BATCHES),
+    Mutation(BATCH, "hn::NegMulAdd(e, v.z, xy)", "hn::MulAdd(e, v.z, xy)", BATCHES),
+    Mutation(BATCH, "hn::Neg(f * (xx + zz))", "hn::Neg(f * (xx - zz))", BATCHES),
     Mutation(BATCH, "1.0 / 362880.0", "1.0 / 362800.0", BATCHES),
     Mutation(
         BATCH,
-        "rounded((along - half) * (1.0 / pi)) : none",
-        "rounded((along + half) * (1.0 / pi)) : none",
+        "rounded((along - half) * filled(1.0 / pi))",
+        "rounded((along + half) * filled(1.0 / pi))",
         BATCHES,
     ),
     # Threads: work that is lost, and a wait that ends too early or never.

@@ -25,11 +25,18 @@ MUTATIONS = [
         "add_product(own, rows.topRows(first), 1.0",
         FACTORS,
     ),
-    Mutation(KERNEL, "sums[r] -= row[r][c] * x;", "sums[r] += row[r][c] * x;", FACTORS),
     Mutation(
-        KERNEL, "x[r] -= row[d][first + r] * x[d];", "x[r] -= row[r][first + d] * x[d];", FACTORS
+        KERNEL, "sums[r].take_off(row[r][c], x);", "sums[r].take_off(-row[r][c], x);", FACTORS
     ),
-    Mutation(KERNEL, "sum -= row[r][c] * known[r];", "sum -= row[r][c] * known[0];", FACTORS),
+    Mutation(
+        KERNEL,
+        "x[r].take_off(row[d][first + r], x[d]);",
+        "x[r].take_off(row[r][first + d], x[d]);",
+        FACTORS,
+    ),
+    Mutation(
+        KERNEL, "sum.take_off(row[r][c], known[r]);", "sum.take_off(row[r][c], known[0]);", FACTORS
+    ),
     Mutation(BUILDER, "+= product(i, j);", "-= product(i, j);", FACTORS),
     Mutation(BUILDER, "j < std::min(own, i + 1)", "j < std::min(own, i)", FACTORS),
     Mutation(BUILDER, "rank_of(other) >= rank)", "rank_of(other) > rank)", FACTORS),
@@ -113,9 +120,16 @@ MUTATIONS = [
         "CompactPanelRows*",
     ),
     Mutation(
+        "numerics/products/row_space.cpp",
+        "if (length <= least)",
+        "if (length <= 1e4 * least)",
+        "RowSpace*",
+    ),
+    Mutation("numerics/products/row_space.cpp", "before && !are_few", "before", "RowSpace*"),
+    Mutation(
         "numerics/products/panel_rows.cpp",
-        "bits &= exponent_bits;\n        std::memcpy(&powers",
-        "std::memcpy(&powers",
+        "hn::And(bits, hn::Set(integers, exponent_bits))",
+        "bits",
         "*PanelRows*",
     ),
     Mutation(
@@ -126,8 +140,8 @@ MUTATIONS = [
     ),
     Mutation(
         "numerics/products/dense_products.cpp",
-        "result[c] += row[rest] *",
-        "result[c] = row[rest] *",
+        "sum += row[rest] *",
+        "sum = row[rest] *",
         "DenseProducts*",
         "volume",
     ),

@@ -11,10 +11,15 @@ VALUES = "MeanValue*"
 
 MUTATIONS = [
     # Mean value weights, equations (2.11) to (2.14).
-    Mutation(KERNEL, "is_sound ? load(block.weights[v]) * inverse : alike", "alike", VALUES),
-    Mutation(KERNEL, "rb = sign[1] * load", "rb = load", VALUES),
-    Mutation(KERNEL, "(sign[0] * sign[2] * inverse)", "(sign[0] * sign[1] * inverse)", VALUES),
-    Mutation(KERNEL, "any(t > 0.25)", "any(t > 0.95)", VALUES),
+    Mutation(
+        KERNEL,
+        "IfThenElse(is_sound, load(block.weights[v]) * inverse, alike)",
+        "Abs(alike)",
+        VALUES,
+    ),
+    Mutation(KERNEL, "filled(sign[1]) * load", "load", VALUES),
+    Mutation(KERNEL, "filled(sign[0] * sign[2])", "filled(sign[1] * sign[2])", VALUES),
+    Mutation(KERNEL, "any(t > filled(0.25))", "any(t > filled(0.95))", VALUES),
     Mutation(KERNEL, "grazing = 3e-4", "grazing = 3e-9", VALUES),
     Mutation(
         KERNEL,
@@ -22,7 +27,7 @@ MUTATIONS = [
         "load(block.weights[v])",
         VALUES,
     ),
-    Mutation(KERNEL, " + share[2] * rest.z, block", ", block", VALUES),
+    Mutation(KERNEL, "filled(share[2])}", "filled(0.0)}", VALUES),
     Mutation(
         KERNEL,
         "inverse = load(block.inverse_distance[j])",
@@ -67,8 +72,8 @@ MUTATIONS = [
     ),
     Mutation(
         "volume/rotations/rotation_kernel.cpp",
-        "before.at[y] * now.at[z] - before.at[z] * now.at[y]",
-        "before.at[z] * now.at[y] - before.at[y] * now.at[z]",
+        "hn::MulSub(before.at[y], now.at[z], before.at[z] * now.at[y])",
+        "hn::MulSub(before.at[z], now.at[y], before.at[y] * now.at[z])",
         "LocalRot*",
     ),
     Mutation(
@@ -80,6 +85,7 @@ MUTATIONS = [
     # From sources over control meshes to targets.
     Mutation(LINK, "/ (2.0 * steps_.col(a).norm())", "/ steps_.col(a).norm()", "VolumeLink*"),
     Mutation(LINK, "above - below;", "above + below;", "VolumeLink*"),
+    Mutation(LINK, "negligible = 0x1p-43", "negligible = 0x1p-20", "VolumeLink*"),
     Mutation(
         LINK,
         "state.positions - state.mean.apply(source_)",

@@ -8,7 +8,7 @@ FreeCAD would die of it some other time.
 
 import gc
 
-from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.qt import QtCore, connect
 
 PERIOD = 500  # ms between two looks
 OLDEST = 1  # generation: all garbage is left to the automatic collector afterwards
@@ -23,7 +23,7 @@ class Collecting(QtCore.QObject):
         self._was_automatic = False
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(PERIOD)
-        self._timer.timeout.connect(self.collect)
+        connect(self._timer, "timeout()", self.collect)
 
     def hold(self) -> None:
         """Before a thread begins; in the thread of the window."""

@@ -7,7 +7,7 @@ from concurrent import futures
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.garbage import collecting
-from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, translate
 
 PATIENCE = 0.4  # seconds until the dialog appears
 LOOK = 0.03  # seconds between two looks at what is done in a thread
@@ -120,7 +120,7 @@ class ProgressDialog(QtWidgets.QProgressDialog):
         self._button.setFocusPolicy(QtCore.Qt.NoFocus)
         hides = QtCore.SIGNAL("canceled()"), self, QtCore.SLOT("cancel()")
         QtCore.QObject.disconnect(self, *hides)
-        self.canceled.connect(self._cancel)
+        connect(self, "canceled()", self._cancel)
 
     def tell(self, fraction: float, task: str) -> None:
         """Shows how far it is, 0..1, and what is next."""

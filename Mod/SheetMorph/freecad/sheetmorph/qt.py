@@ -18,8 +18,8 @@ try:
 except ImportError:
     import shiboken2 as shiboken
 
-__all__ = ["QtCore", "QtGui", "QtWidgets", "draw", "forget", "frame_of", "icon_of", "number"]
-__all__ += ["translate", "widen"]
+__all__ = ["QtCore", "QtGui", "QtWidgets", "connect", "draw", "forget", "frame_of", "icon_of"]
+__all__ += ["number", "translate", "widen"]
 
 OVERLAY, GRIP = "Gui::OverlayTabWidget", "Gui::OverlaySizeGrip"  # FreeCAD's, since 1.0
 
@@ -32,6 +32,21 @@ def number(choice) -> int:
 def translate(context: str, text: str) -> str:
     """A text in the user's language, else as it is."""
     return QtCore.QCoreApplication.translate(context, text)
+
+
+def connect(sender, signal: str, action) -> None:
+    """Calls a function when an object of Qt sends a signal, given with its types: "clicked()".
+
+    PySide2 never frees the wrapper of an object of which a signal was read as an attribute.
+    Raises AttributeError for a signal that the sender does not have.
+    """
+    kind = type(sender)  # PySide2 would make up a signal that does not exist
+    if kind.staticMetaObject.indexOfSignal(signal) < 0:
+        raise AttributeError(f"{kind.__name__} has no signal {signal}.")
+    if QtCore.qVersion().startswith("6."):
+        getattr(sender, signal[: signal.index("(")]).connect(action)
+    else:
+        QtCore.QObject.connect(sender, QtCore.SIGNAL(signal), action)
 
 
 @cache

@@ -13,7 +13,7 @@ import numpy as np
 from ..arrays import Floats, Ints
 from ..decks import is_deck
 from ..errors import Fault, FileError, fault_of
-from ..files import PartFile, is_cad, output_name, read_part, unpacked_name
+from ..files import PartFile, is_cad, output_name, unpacked_name
 from ..files.cad_writing import CadWriting
 from ..files.deck_file import DeckFile
 from ..files.prepared_file import PreparedFile
@@ -101,33 +101,47 @@ def read_parts(
 
     progress(fraction, task) may return False to cancel (RuntimeError).
     """
+    from .reading_ahead import ReadAhead  # it takes a while to load
+
     parts = Parts()
     stems = _stems(entries, Path(base))
-    for number, entry in enumerate(entries):
-        if progress is not None:
-            progress(number / len(entries), f"reading {entry.file}")
-        if not entry.file:
-            what = 'the key "file" is missing'
-            parts.faults.append(Fault(entry.where, what, "add the path of its mesh file"))
-            parts.entries.append(entry)
-            continue
-        if entry.meshing and not is_cad(entry.file):
-            what = "only CAD files are meshed"
-            parts.faults.append(Fault(f"{entry.where}.mesh", what, "leave it out"))
-        parts.faults += _write_faults(entry)
-        try:
-            meshing = entry.meshing if is_cad(entry.file) else None
-            file = read_part(Path(base) / entry.file, meshing)
-            parts.faults += _deck_settings(file, entry)
-            file = _prepared(file, entry, progress) if entry.wanted else file
-            file.stem = stems.get(entry.where, file.stem)
-            parts.add(entry, file)
-        except (FileError, SplitError) as error:
-            parts.faults.append(_fault(entry, error))
-            parts.entries += [] if entry.split else [entry]
-            parts.unread += [f"{entry.stem}/"] if entry.split else []
+    wanted = {
+        entry.where: (Path(base) / entry.file, entry.meshing if is_cad(entry.file) else None)
+        for entry in entries
+        if entry.file
+    }
+    with ReadAhead(wanted) as ahead:
+        for number, entry in enumerate(entries):
+            if progress is not None:
+                progress(number / len(entries), f"reading {entry.file}")
+            parts.faults += _faults_of(entry)
+            if not entry.file:
+                parts.entries.append(entry)
+                continue
+            try:
+                file = ahead.read(entry.where)
+                parts.faults += _deck_settings(file, entry)
+                file = _prepared(file, entry, progress) if entry.wanted else file
+                file.stem = stems.get(entry.where, file.stem)
+                parts.add(entry, file)
+            except (FileError, SplitError) as error:
+                parts.faults.append(_fault(entry, error))
+                parts.entries += [] if entry.split else [entry]
+                parts.unread += [f"{entry.stem}/"] if entry.split else []
     parts.faults += _clashes(entries, stems)
     return parts
+
+
+def _faults_of(entry: PartEntry) -> list[Fault]:
+    """What is wrong with an entry before its file is read."""
+    if not entry.file:
+        what = 'the key "file" is missing'
+        return [Fault(entry.where, what, "add the path of its mesh file")]
+    faults = _write_faults(entry)
+    if entry.meshing and not is_cad(entry.file):
+        what = "only CAD files are meshed"
+        faults.insert(0, Fault(f"{entry.where}.mesh", what, "leave it out"))
+    return faults
 
 
 def _stems(entries: list[PartEntry], base: Path) -> dict[str, str]:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/instructions/instructions.h"
 
-#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 
@@ -11,30 +11,25 @@ namespace sheetmorph
 namespace
 {
 
-Instructions of_processor()
+// Of two sets of one processor family the wider one has the lower bit.
+[[maybe_unused]] std::int64_t excluded()
 {
-    if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
-        return Instructions::portable;
-    return __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")
-               ? Instructions::avx512
-               : Instructions::avx2;
-}
-
-Instructions allowed()
-{
-    const char* const told = std::getenv("SHEETMORPH_INSTRUCTIONS");
-    const std::string name = told != nullptr ? told : "";
+    const char* const given = std::getenv("SHEETMORPH_INSTRUCTIONS");
+    const std::string name = given != nullptr ? given : "";
     if (name == "portable")
-        return Instructions::portable;
-    return name == "avx2" ? Instructions::avx2 : Instructions::avx512;
+        return HWY_STATIC_TARGET - 1;
+    if (name == "ssse3")
+        return HWY_SSSE3 - 1;
+    return name == "avx2" ? HWY_AVX2 - 1 : 0;
 }
 
 }  // namespace
 
-Instructions instructions()
+void limit_instructions()
 {
-    static const Instructions widest = std::min(of_processor(), allowed());
-    return widest;
+#if (HWY_TARGETS & (HWY_TARGETS - 1)) != 0  // there is a choice
+    [[maybe_unused]] static const bool is_limited = (hwy::DisableTargets(excluded()), true);
+#endif
 }
 
 }  // namespace sheetmorph

@@ -39,7 +39,7 @@ double aspect(const TriangleMesh& mesh, int triangle)
     return std::sqrt(0.75) * longest / a.cross(b).norm();
 }
 
-// Tangent of the smallest corner, which is opposite the shortest edge and at most 60 degrees.
+// Tangent of the smallest corner angle, which is opposite the shortest edge and at most 60 degrees.
 double smallest_tangent(const TriangleMesh& mesh, int triangle)
 {
     const Eigen::RowVector3i corners = mesh.triangles().row(triangle);
@@ -56,7 +56,7 @@ double smallest_tangent(const TriangleMesh& mesh, int triangle)
     return along > 0.0 ? a.cross(b).norm() / along : 0.0;
 }
 
-// Whether two neighbours lie on each other that did not at rest.
+// Whether two neighbours lie on each other, but did not at rest.
 bool is_fold(const TriangleMesh& rest, const TriangleMesh& deformed, const EdgeUse uses[2])
 {
     for (int k = 0; k < 2; ++k)

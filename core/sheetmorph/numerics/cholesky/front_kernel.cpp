@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/cholesky/front_kernel.h"
 
-#include "sheetmorph/base/instructions/widest.h"
+#include "sheetmorph/base/instructions/instructions.h"
 
 #include <algorithm>
-#include <cstring>
 
-// Fused multiply-adds where the processor has them.
-#pragma GCC optimize("fp-contract=fast")
-// Everything that returns Lanes is inlined: nothing depends on the calling convention of vectors.
-#pragma GCC diagnostic ignored "-Wpsabi"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sheetmorph/numerics/cholesky/front_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
+HWY_BEFORE_NAMESPACE();
 namespace sheetmorph::numerics
 {
-
+namespace HWY_NAMESPACE
+{
 namespace
 {
+
+namespace hn = hwy::HWY_NAMESPACE;
 
 // `together` rows of a front from `first` on.
 template <int together>
@@ -23,48 +26,75 @@ struct Rows
 {
     const double* at[together];
 
-    SHEETMORPH_INLINE Rows(const Front& front, int first)
+    HWY_INLINE Rows(const Front& front, int first)
     {
         for (int r = 0; r < together; ++r)
             at[r] = front.entries.get() + static_cast<long>(first + r) * front.columns;
     }
 
-    SHEETMORPH_INLINE const double* operator[](int r) const { return at[r]; }
+    HWY_INLINE const double* operator[](int r) const { return at[r]; }
 };
 
 // On `sides` right sides at once.
 template <int sides>
 struct Substitution
 {
-    using Lanes = typename VectorTypes<sides>::Lanes;
+    using Part = hn::CappedTag<double, sides>;
+    static constexpr int width = static_cast<int>(hn::MaxLanes(Part()));
 
-    static SHEETMORPH_INLINE Lanes load(const double* w, int row)
+    struct Lanes
+    {
+        hn::Vec<Part> part[sides / width];
+
+        // -= factor * other
+        HWY_INLINE void take_off(double factor, const Lanes& other)
+        {
+            for (int p = 0; p < sides / width; ++p)
+                part[p] = hn::NegMulAdd(hn::Set(Part(), factor), other.part[p], part[p]);
+        }
+
+        HWY_INLINE void divide(double divisor)
+        {
+            for (auto& one : part)
+                one = one / hn::Set(Part(), divisor);
+        }
+
+        HWY_INLINE void add_to(double* sums) const
+        {
+            for (int p = 0; p < sides / width; ++p)
+                hn::StoreU(hn::LoadU(Part(), sums + p * width) + part[p], Part(), sums + p * width);
+        }
+    };
+
+    static HWY_INLINE Lanes load(const double* w, int row)
     {
         Lanes value;
-        std::memcpy(&value, w + sides * row, sizeof value);
+        for (int p = 0; p < sides / width; ++p)
+            value.part[p] = hn::LoadU(Part(), w + sides * row + p * width);
         return value;
     }
 
-    static SHEETMORPH_INLINE void store(const Lanes& value, double* w, int row)
+    static HWY_INLINE void store(const Lanes& value, double* w, int row)
     {
-        std::memcpy(w + sides * row, &value, sizeof value);
+        for (int p = 0; p < sides / width; ++p)
+            hn::StoreU(value.part[p], Part(), w + sides * row + p * width);
     }
 
     // Takes the part of the columns before `columns` off some rows.
     template <int together>
-    static SHEETMORPH_INLINE void take_off(const Rows<together>& row, int columns, const double* w,
-                                           Lanes (&sums)[together])
+    static HWY_INLINE void take_off(const Rows<together>& row, int columns, const double* w,
+                                    Lanes (&sums)[together])
     {
         for (int c = 0; c < columns; ++c)
         {
             const Lanes x = load(w, c);
             for (int r = 0; r < together; ++r)
-                sums[r] -= row[r][c] * x;
+                sums[r].take_off(row[r][c], x);
         }
     }
 
     template <int together>
-    static SHEETMORPH_INLINE void forward_own(const Front& front, int first, double* w)
+    static HWY_INLINE void forward_own(const Front& front, int first, double* w)
     {
         const Rows<together> row(front, first);
         Lanes x[together];
@@ -74,8 +104,8 @@ struct Substitution
         for (int r = 0; r < together; ++r)
         {
             for (int d = 0; d < r; ++d)
-                x[r] -= row[r][first + d] * x[d];
-            x[r] /= row[r][first + r];
+                x[r].take_off(row[r][first + d], x[d]);
+            x[r].divide(row[r][first + r]);
             store(x[r], w, first + r);
         }
     }
@@ -85,7 +115,7 @@ struct Substitution
     {
         double* x;
 
-        SHEETMORPH_INLINE double* of(int row) const { return x + sides * static_cast<long>(row); }
+        HWY_INLINE double* of(int row) const { return x + sides * static_cast<long>(row); }
     };
 
     struct InSlots
@@ -95,7 +125,7 @@ struct Substitution
         const int* top_row;
         double* above;
 
-        SHEETMORPH_INLINE double* of(int row) const
+        HWY_INLINE double* of(int row) const
         {
             const int slot = rows[row];
             const int top = above != nullptr ? top_row[slot] : -1;
@@ -105,35 +135,34 @@ struct Substitution
     };
 
     template <int together, class Target>
-    static SHEETMORPH_INLINE void forward_below(const Front& front, int first, const double* w,
-                                                const Target& target)
+    static HWY_INLINE void forward_below(const Front& front, int first, const double* w,
+                                         const Target& target)
     {
-        Lanes sums[together] = {};
+        Lanes sums[together];
+        for (Lanes& sum : sums)
+            for (auto& part : sum.part)
+                part = hn::Zero(Part());
         take_off(Rows<together>(front, first), front.columns, w, sums);
         for (int r = 0; r < together; ++r)
-        {
-            double* const to = target.of(first + r);
-            store(load(to, 0) + sums[r], to, 0);
-        }
+            sums[r].add_to(target.of(first + r));
     }
 
     // Takes the part of some rows, known, off the columns before `columns`.
     template <int together>
-    static SHEETMORPH_INLINE void spread(const Rows<together>& row, int columns,
-                                         const Lanes (&known)[together], double* w)
+    static HWY_INLINE void spread(const Rows<together>& row, int columns,
+                                  const Lanes (&known)[together], double* w)
     {
         for (int c = 0; c < columns; ++c)
         {
             Lanes sum = load(w, c);
             for (int r = 0; r < together; ++r)
-                sum -= row[r][c] * known[r];
+                sum.take_off(row[r][c], known[r]);
             store(sum, w, c);
         }
     }
 
     template <int together>
-    static SHEETMORPH_INLINE void backward_below(const Front& front, int first, const double* x,
-                                                 double* w)
+    static HWY_INLINE void backward_below(const Front& front, int first, const double* x, double* w)
     {
         Lanes known[together];
         for (int r = 0; r < together; ++r)
@@ -142,7 +171,7 @@ struct Substitution
     }
 
     template <int together>
-    static SHEETMORPH_INLINE void backward_own(const Front& front, int first, double* w)
+    static HWY_INLINE void backward_own(const Front& front, int first, double* w)
     {
         const Rows<together> row(front, first);
         Lanes x[together];
@@ -151,27 +180,27 @@ struct Substitution
         for (int r = together - 1; r >= 0; --r)
         {
             for (int d = r + 1; d < together; ++d)
-                x[r] -= row[d][first + r] * x[d];
-            x[r] /= row[r][first + r];
+                x[r].take_off(row[d][first + r], x[d]);
+            x[r].divide(row[r][first + r]);
             store(x[r], w, first + r);
         }
         spread(row, first, x, w);
     }
 
     // Own rows of x, in their order.
-    static SHEETMORPH_INLINE void gather(const Front& front, const double* x, double* w)
+    static HWY_INLINE void gather(const Front& front, const double* x, double* w)
     {
         for (int row = 0; row < front.columns; ++row)
             store(load(x, front.rows()[static_cast<std::size_t>(row)]), w, row);
     }
 
-    static SHEETMORPH_INLINE void scatter(const Front& front, const double* w, double* x)
+    static HWY_INLINE void scatter(const Front& front, const double* w, double* x)
     {
         for (int row = 0; row < front.columns; ++row)
             store(load(w, row), x, front.rows()[static_cast<std::size_t>(row)]);
     }
 
-    static SHEETMORPH_INLINE void forward_own(const Front& front, double* w)
+    static HWY_INLINE void forward_own(const Front& front, double* w)
     {
         int row = 0;
         for (; row + 4 <= front.columns; row += 4)
@@ -181,8 +210,7 @@ struct Substitution
     }
 
     template <class Target>
-    static SHEETMORPH_INLINE void forward_below(const Front& front, const double* w,
-                                                const Target& target)
+    static HWY_INLINE void forward_below(const Front& front, const double* w, const Target& target)
     {
         int row = front.columns;
         const int height = front.height();
@@ -194,7 +222,7 @@ struct Substitution
             forward_below<1>(front, row, w, target);
     }
 
-    static SHEETMORPH_INLINE void forward(const Front& front, const InSlots& target, double* w)
+    static HWY_INLINE void forward(const Front& front, const InSlots& target, double* w)
     {
         gather(front, target.x, w);
         const double* const end = w + sides * front.columns;
@@ -206,7 +234,7 @@ struct Substitution
         forward_below(front, w, target);
     }
 
-    static SHEETMORPH_INLINE void backward(const Front& front, double* x, double* w)
+    static HWY_INLINE void backward(const Front& front, double* x, double* w)
     {
         gather(front, x, w);
         const int height = front.height();
@@ -225,7 +253,7 @@ struct Substitution
         scatter(front, w, x);
     }
 
-    static SHEETMORPH_INLINE void forward(const FrontRun& run)
+    static HWY_INLINE void forward(const FrontRun& run)
     {
         for (const int node : run.nodes)
             for (std::size_t g = 0; g < run.x.size(); ++g)
@@ -236,7 +264,7 @@ struct Substitution
             }
     }
 
-    static SHEETMORPH_INLINE void backward(const FrontRun& run)
+    static HWY_INLINE void backward(const FrontRun& run)
     {
         for (auto node = run.nodes.rbegin(); node != run.nodes.rend(); ++node)
             for (double* const x : run.x)
@@ -244,44 +272,71 @@ struct Substitution
     }
 };
 
-// The step with as many right sides as are computed side by side.
-template <int width, typename Step>
-SHEETMORPH_INLINE void with_sides(int sides, const Step& step)
+// Narrower registers have few sides alone.
+using Few = Substitution<few_sides>;
+constexpr bool has_many = hn::MaxLanes(hn::CappedTag<double, many_sides>()) == many_sides;
+using Many = Substitution<has_many ? many_sides : few_sides>;
+
+bool has_many_sides_widest()
 {
-    if (width == many_sides && sides == many_sides)
-        step(Substitution<many_sides>());
-    else
-        step(Substitution<few_sides>());
+    return has_many;
+}
+
+void run_forward_widest(const FrontRun& run)
+{
+    run.sides == few_sides ? Few::forward(run) : Many::forward(run);
+}
+
+template <class Kernel>
+HWY_INLINE void run_front(const Front& front, double* w)
+{
+    Kernel::forward_own(front, w);
+    Kernel::forward_below(front, w, typename Kernel::InPlace{w});
+}
+
+void run_front_widest(const Front& front, int sides, double* w)
+{
+    sides == few_sides ? run_front<Few>(front, w) : run_front<Many>(front, w);
+}
+
+void run_backward_widest(const FrontRun& run)
+{
+    run.sides == few_sides ? Few::backward(run) : Many::backward(run);
 }
 
 }  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace sheetmorph::numerics
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sheetmorph::numerics
+{
+
+HWY_EXPORT(has_many_sides_widest);
+HWY_EXPORT(run_forward_widest);
+HWY_EXPORT(run_front_widest);
+HWY_EXPORT(run_backward_widest);
 
 bool has_many_sides()
 {
-    return instructions() == Instructions::avx512;
+    return SHEETMORPH_WIDEST(has_many_sides_widest)();
 }
 
 void run_forward(const FrontRun& run)
 {
-    const auto forward = [&](auto kernel) SHEETMORPH_INLINED { kernel.forward(run); };
-    run_widest([&](auto width) SHEETMORPH_INLINED { with_sides<width>(run.sides, forward); });
+    SHEETMORPH_WIDEST(run_forward_widest)(run);
 }
 
 void run_forward(const Front& front, int sides, double* w)
 {
-    const auto forward = [&](auto kernel) SHEETMORPH_INLINED
-    {
-        using Kernel = decltype(kernel);
-        Kernel::forward_own(front, w);
-        Kernel::forward_below(front, w, typename Kernel::InPlace{w});
-    };
-    run_widest([&](auto width) SHEETMORPH_INLINED { with_sides<width>(sides, forward); });
+    SHEETMORPH_WIDEST(run_front_widest)(front, sides, w);
 }
 
 void run_backward(const FrontRun& run)
 {
-    const auto backward = [&](auto kernel) SHEETMORPH_INLINED { kernel.backward(run); };
-    run_widest([&](auto width) SHEETMORPH_INLINED { with_sides<width>(run.sides, backward); });
+    SHEETMORPH_WIDEST(run_backward_widest)(run);
 }
 
 }  // namespace sheetmorph::numerics
+#endif

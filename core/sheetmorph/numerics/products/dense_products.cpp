@@ -1,39 +1,32 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/products/dense_products.h"
 
-#include "sheetmorph/base/instructions/widest.h"
+#include "sheetmorph/base/instructions/instructions.h"
 
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
-// Fused multiply-adds where the processor has them.
-#pragma GCC optimize("fp-contract=fast")
-// Everything that returns Lanes is inlined: nothing depends on the calling convention of vectors.
-#pragma GCC diagnostic ignored "-Wpsabi"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sheetmorph/numerics/products/dense_products.cpp"
+#include <hwy/foreach_target.h>
 
+#include "sheetmorph/base/instructions/lanes.h"
+
+HWY_BEFORE_NAMESPACE();
 namespace sheetmorph::numerics
 {
-
+namespace HWY_NAMESPACE
+{
 namespace
 {
 
+namespace hn = hwy::HWY_NAMESPACE;
+
 // Twelve sums of two registers are under way at once, as many as 16 registers have room for.
 constexpr int tile_rows = 6;
-constexpr int largest_panel = 16;
-
-// Doubles a register for three columns: the sums of wider ones take longer than they save.
-constexpr int narrow = 4;
-
-// Rows of doubles `stride` apart.
-struct Rows
-{
-    const double* data;
-    Eigen::Index stride;
-};
 
 // A tile of the product: tile_rows rows of `left` against a packed panel of 2 * width columns.
-struct Tile
+struct Tile : sheetmorph::HWY_NAMESPACE::LaneFunctions
 {
     const double* left[tile_rows];
     const double* panel;  // (depth, 2 * width)
@@ -41,73 +34,74 @@ struct Tile
     double factor;
     double* result[tile_rows];  // whole tiles are added here, others left in `sums`
     bool is_whole;
-    double sums[tile_rows][largest_panel];
-};
+    double sums[tile_rows][2 * width];
 
-template <int width>
-struct Kernel
-{
-    using Lanes = typename VectorTypes<width>::Lanes;
-
-    static SHEETMORPH_INLINE Lanes load(const double* from)
+    HWY_INLINE void multiply()
     {
-        Lanes value;
-        std::memcpy(&value, from, sizeof value);
-        return value;
-    }
-
-    static SHEETMORPH_INLINE void multiply(Tile& tile)
-    {
-        Lanes sums[tile_rows][2] = {};
-        for (Eigen::Index k = 0; k < tile.depth; ++k)
+        Lanes products[tile_rows][2];
+        for (auto& row : products)
+            row[0] = row[1] = filled(0.0);
+        for (Eigen::Index k = 0; k < depth; ++k)
         {
-            const Lanes first = load(tile.panel + 2 * width * k);
-            const Lanes second = load(tile.panel + 2 * width * k + width);
+            const Lanes first = load(panel + 2 * width * k);
+            const Lanes second = load(panel + 2 * width * k + width);
             for (int r = 0; r < tile_rows; ++r)
             {
-                sums[r][0] += tile.left[r][k] * first;
-                sums[r][1] += tile.left[r][k] * second;
+                const Lanes entry = filled(left[r][k]);
+                products[r][0] = hn::MulAdd(entry, first, products[r][0]);
+                products[r][1] = hn::MulAdd(entry, second, products[r][1]);
             }
         }
         for (int r = 0; r < tile_rows; ++r)
             for (int half = 0; half < 2; ++half)
             {
-                double* const to = (tile.is_whole ? tile.result[r] : tile.sums[r]) + half * width;
-                const Lanes product = tile.factor * sums[r][half];
-                const Lanes sum = tile.is_whole ? load(to) + product : product;
-                std::memcpy(to, &sum, sizeof sum);
+                double* const to = (is_whole ? result[r] : sums[r]) + half * width;
+                const Lanes product = products[r][half];
+                store(is_whole ? hn::MulAdd(filled(factor), product, load(to))
+                               : filled(factor) * product,
+                      to);
             }
     }
+};
 
-    static SHEETMORPH_INLINE double total(const Lanes& value)
-    {
-        double sum = 0.0;
-        for (int l = 0; l < width; ++l)
-            sum += value[l];
-        return sum;
-    }
+// Products with three columns: the sums of wider registers take longer than they save.
+struct ThreeColumns
+{
+    using Narrow = hn::CappedTag<double, 4>;
+    static constexpr Eigen::Index width = hn::MaxLanes(Narrow());
 
-    // `row` times three columns, each contiguous.
-    static SHEETMORPH_INLINE void multiply(const double* row, const Rows& columns,
-                                           Eigen::Index depth, double* result)
+    // The sum and all lanes, in their order.
+    template <class D>
+    static HWY_INLINE double added(double sum, D lanes, hn::Vec<D> value)
     {
-        Lanes sums[3] = {};
-        Eigen::Index k = 0;
-        for (; k + width <= depth; k += width)
-            for (int c = 0; c < 3; ++c)
-                sums[c] += load(row + k) * load(columns.data + c * columns.stride + k);
-        for (int c = 0; c < 3; ++c)
+        if constexpr (hn::MaxLanes(lanes) == 1)
+            return sum + GetLane(value);
+        else
         {
-            result[c] = total(sums[c]);
-            for (Eigen::Index rest = k; rest < depth; ++rest)
-                result[c] += row[rest] * columns.data[c * columns.stride + rest];
+            const hn::Half<D> half;
+            return added(added(sum, half, LowerHalf(half, value)), half, UpperHalf(half, value));
         }
     }
 
-    static SHEETMORPH_INLINE void multiply(const Weights& left, const Rows& columns, Points& result)
+    // `row` times three columns, each contiguous.
+    static HWY_INLINE void multiply(const double* row, const Weights& columns, double* result)
     {
-        for (Eigen::Index i = 0; i < left.rows(); ++i)
-            multiply(left.data() + i * left.cols(), columns, left.cols(), result.data() + 3 * i);
+        const Eigen::Index depth = columns.cols();
+        hn::Vec<Narrow> sums[3];
+        for (auto& sum : sums)
+            sum = hn::Zero(Narrow());
+        Eigen::Index k = 0;
+        for (; k + width <= depth; k += width)
+            for (int c = 0; c < 3; ++c)
+                sums[c] = hn::MulAdd(hn::LoadU(Narrow(), row + k),
+                                     hn::LoadU(Narrow(), columns.data() + c * depth + k), sums[c]);
+        for (int c = 0; c < 3; ++c)
+        {
+            double sum = added(0.0, Narrow(), sums[c]);
+            for (Eigen::Index rest = k; rest < depth; ++rest)
+                sum += row[rest] * columns(c, rest);
+            result[c] = sum;
+        }
     }
 };
 
@@ -122,15 +116,14 @@ void pack(const WeightsView& right, Eigen::Index first, int columns, double* pan
 }
 
 // In tiles of 2 * width columns.
-template <int width>
-SHEETMORPH_INLINE void add_tiles(const WeightsView& left, const WeightsView& right, double factor,
-                                 WeightsTarget& result)
+void add_product_widest(const WeightsView& left, const WeightsView& right, double factor,
+                        WeightsTarget& result)
 {
-    constexpr int across = 2 * width;
+    constexpr int across = 2 * Tile::width;
     const Eigen::Index depth = left.cols(), rows = left.rows(), columns = right.rows();
     thread_local std::vector<double> panel;
     panel.resize(std::max(panel.size(), static_cast<std::size_t>(across * depth)));
-    Tile tile{{}, panel.data(), depth, factor, {}, false, {}};
+    Tile tile{{}, {}, panel.data(), depth, factor, {}, false, {}};
     for (Eigen::Index j = 0; j < columns; j += across)
     {
         pack(right, j, across, panel.data());
@@ -145,7 +138,7 @@ SHEETMORPH_INLINE void add_tiles(const WeightsView& left, const WeightsView& rig
                 tile.left[r] = left.data() + row * left.outerStride();
                 tile.result[r] = result.data() + row * result.outerStride() + j;
             }
-            Kernel<width>::multiply(tile);
+            tile.multiply();
             for (Eigen::Index r = 0; r < high && !tile.is_whole; ++r)
                 for (Eigen::Index c = 0; c < wide; ++c)
                     tile.result[r][c] += tile.sums[r][c];
@@ -153,21 +146,35 @@ SHEETMORPH_INLINE void add_tiles(const WeightsView& left, const WeightsView& rig
     }
 }
 
+void narrow_product_widest(const Weights& left, const Weights& columns, Points& result)
+{
+    for (Eigen::Index i = 0; i < left.rows(); ++i)
+        ThreeColumns::multiply(left.data() + i * left.cols(), columns, result.data() + 3 * i);
+}
+
 }  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace sheetmorph::numerics
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sheetmorph::numerics
+{
+
+HWY_EXPORT(add_product_widest);
+HWY_EXPORT(narrow_product_widest);
 
 void add_product(const WeightsView& left, const WeightsView& right, double factor,
                  WeightsTarget result)
 {
-    if (left.cols() == 0)
-        return;
-    run_widest([&](auto width) SHEETMORPH_INLINED
-               { add_tiles<width>(left, right, factor, result); });
+    if (left.cols() > 0)
+        SHEETMORPH_WIDEST(add_product_widest)(left, right, factor, result);
 }
 
 void add_lower_product(const WeightsView& left, const WeightsView& right, double factor,
                        WeightsTarget result)
 {
-    constexpr Eigen::Index strip = 3 * largest_panel;
+    constexpr Eigen::Index strip = 48;  // whole tiles of any width
     for (Eigen::Index j = 0; j < result.cols(); j += strip)
     {
         const Eigen::Index wide = std::min(strip, result.cols() - j), high = result.rows() - j;
@@ -179,13 +186,10 @@ void add_lower_product(const WeightsView& left, const WeightsView& right, double
 Points narrow_product(const Weights& left, const Points& right)
 {
     Points result = Points::Zero(left.rows(), 3);
-    if (left.cols() == 0)
-        return result;
-    const Weights columns = right.transpose();
-    const Rows rows{columns.data(), columns.cols()};
-    run_widest([&](auto width) SHEETMORPH_INLINED
-               { Kernel<std::min<int>(width, narrow)>::multiply(left, rows, result); });
+    if (left.cols() > 0)
+        SHEETMORPH_WIDEST(narrow_product_widest)(left, right.transpose(), result);
     return result;
 }
 
 }  // namespace sheetmorph::numerics
+#endif

@@ -1,172 +1,144 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/response/response_kernel.h"
 
-#include "sheetmorph/base/instructions/widest.h"
+#include "sheetmorph/base/instructions/instructions.h"
 
-#include <utility>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sheetmorph/numerics/response/response_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
-// Fused multiply-adds where the processor has them.
-#pragma GCC optimize("fp-contract=fast")
-// Everything that returns Lanes is inlined: nothing depends on the calling convention of vectors.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
+HWY_BEFORE_NAMESPACE();
 namespace sheetmorph::numerics
 {
-
+namespace HWY_NAMESPACE
+{
 namespace
 {
 
-// Vectors in memory, at any address.
-template <typename Lanes>
-struct Unaligned
-{
-    Lanes value;
-} __attribute__((packed, may_alias));
+namespace hn = hwy::HWY_NAMESPACE;
 
-template <typename Lanes, typename Number>
-SHEETMORPH_INLINE Lanes load(const Number* from)
+using Floats = hn::CappedTag<float, 16>;
+using Lanes = hn::Vec<Floats>;
+constexpr int width = static_cast<int>(hn::MaxLanes(Floats()));
+
+// Nine sums are under way at once: enough to hide how long one multiply-add takes.
+constexpr int vectors = 3;
+
+struct Sums
 {
-    return reinterpret_cast<const Unaligned<Lanes>*>(from)->value;
+    Lanes at[vectors][3];  // x, y, z
+};
+using Blended = float[ResponseProduct::most_fields][3];
+
+using Group = hn::CappedTag<float, ResponseProduct::lanes>;
+
+HWY_INLINE void add_column(const float* share, const double* coefficients,
+                           hn::Vec<Group> (&sums)[3])
+{
+    for (int axis = 0; axis < 3; ++axis)
+        sums[axis] =
+            hn::MulAdd(hn::LoadU(Group(), share),
+                       hn::Set(Group(), static_cast<float>(coefficients[axis])), sums[axis]);
 }
 
-// The kernel for processors that compute `width` floats at once.
-template <int width>
-struct Kernel
+// shares * coefficients: two sums an axis hide how long one takes.
+HWY_INLINE void blend(const ResponseProduct& work, Blended& blended)
 {
-    using Types = FloatVectorTypes<width>;
-    using Lanes = typename Types::Lanes;
-    using Doubles = typename VectorTypes<width / 2>::Lanes;
-    using Sequence = std::make_integer_sequence<int, width>;
-    using Half = std::make_integer_sequence<int, width / 2>;
-    using Group = typename FloatVectorTypes<ResponseProduct::lanes>::Lanes;
-
-    // Nine sums are under way at once: enough to hide how long one multiply-add takes.
-    static constexpr int vectors = 3;
-
-    struct Sums
+    constexpr int lanes = ResponseProduct::lanes;
+    constexpr int group_width = static_cast<int>(hn::MaxLanes(Group()));
+    const int count = work.wide_count + work.narrow_count;
+    const long step = (count + lanes - 1) / lanes * lanes;
+    for (int group = 0; group < count; group += group_width)
     {
-        Lanes x[vectors], y[vectors], z[vectors];
-    };
-    using Blended = float[ResponseProduct::most_fields][3];
-
-    // Entry 3 i + axis of x0 y0 z0 x1 ... is what `part` holds at its lane `lane`: first x and y
-    // are merged, then z comes in.
-    static constexpr int flat(int part, int lane) { return part * width + lane; }
-    static constexpr int merged(int part, int lane)
-    {
-        const int row = flat(part, lane) / 3, axis = flat(part, lane) % 3;
-        return axis == 1 ? width + row : row;
-    }
-    static constexpr int completed(int part, int lane)
-    {
-        const int row = flat(part, lane) / 3, axis = flat(part, lane) % 3;
-        return axis == 2 ? width + row : lane;
-    }
-
-    template <int part, int... lane>
-    static SHEETMORPH_INLINE Lanes interleaved(const Sums& sums, int v,
-                                               std::integer_sequence<int, lane...>)
-    {
-        const Lanes both = __builtin_shufflevector(sums.x[v], sums.y[v], merged(part, lane)...);
-        return __builtin_shufflevector(both, sums.z[v], completed(part, lane)...);
-    }
-
-    template <int first, int... lane>
-    static SHEETMORPH_INLINE void store_half(const Lanes& sum, double* result,
-                                             std::integer_sequence<int, lane...>)
-    {
-        const auto half = __builtin_shufflevector(sum, sum, (first + lane)...);
-        reinterpret_cast<Unaligned<Doubles>*>(result + first)->value =
-            __builtin_convertvector(half, Doubles);
-    }
-
-    template <int part>
-    static SHEETMORPH_INLINE void store(const Sums& sums, int v, double* result)
-    {
-        const int offset = (3 * v + part) * width;
-        const Lanes sum = interleaved<part>(sums, v, Sequence());
-        store_half<0>(sum, result + offset, Half());
-        store_half<width / 2>(sum, result + offset, Half());
-    }
-
-    // shares * coefficients: two sums an axis hide how long one takes.
-    static SHEETMORPH_INLINE void blend(const ResponseProduct& work, Blended& blended)
-    {
-        constexpr int lanes = ResponseProduct::lanes;
-        const int count = work.wide_count + work.narrow_count;
-        const long step = (count + lanes - 1) / lanes * lanes;
-        for (int group = 0; group < count; group += lanes)
+        hn::Vec<Group> sums[2][3];
+        for (auto& sum : sums)
+            sum[0] = sum[1] = sum[2] = hn::Zero(Group());
+        const float* share = work.shares + group;
+        const double* c = work.coefficients;
+        int k = 0;
+        for (; k + 2 <= work.columns; k += 2, c += 6, share += 2 * step)
+            for (int one = 0; one < 2; ++one)
+                add_column(share + one * step, c + 3 * one, sums[one]);
+        if (k < work.columns)
+            add_column(share, c, sums[0]);
+        for (int axis = 0; axis < 3; ++axis)
         {
-            Group sums[2][3] = {};
-            const float* share = work.shares + group;
-            const double* c = work.coefficients;
-            int k = 0;
-            for (; k + 2 <= work.columns; k += 2, c += 6, share += 2 * step)
-                for (int one = 0; one < 2; ++one)
-                    for (int axis = 0; axis < 3; ++axis)
-                        sums[one][axis] +=
-                            load<Group>(share + one * step) * static_cast<float>(c[3 * one + axis]);
-            for (int axis = 0; k < work.columns && axis < 3; ++axis)
-                sums[0][axis] += load<Group>(share) * static_cast<float>(c[axis]);
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                const Group sum = sums[0][axis] + sums[1][axis];
-                for (int lane = 0; lane < lanes; ++lane)
-                    blended[group + lane][axis] = sum[lane];
-            }
+            float sum[group_width];
+            hn::StoreU(sums[0][axis] + sums[1][axis], Group(), sum);
+            for (int lane = 0; lane < group_width; ++lane)
+                blended[group + lane][axis] = sum[lane];
         }
     }
+}
 
-    static SHEETMORPH_INLINE void add_field(const float* blended, const Lanes& rows, int v,
-                                            Sums& sums)
-    {
-        sums.x[v] += rows * blended[0];
-        sums.y[v] += rows * blended[1];
-        sums.z[v] += rows * blended[2];
-    }
+HWY_INLINE void add_field(const float* blended, Lanes rows, Lanes (&sums)[3])
+{
+    for (int axis = 0; axis < 3; ++axis)
+        sums[axis] = hn::MulAdd(rows, hn::Set(Floats(), blended[axis]), sums[axis]);
+}
 
-    // Rows `first` .. of one block.
-    static SHEETMORPH_INLINE void rows(const ResponseProduct& work, const Blended& blended,
-                                       long block, int first)
-    {
-        Sums sums = {};
-        const ResponseRows* wide = work.wide + block * work.wide_count;
-        for (int k = 0; k < work.wide_count; ++k)
-            for (int v = 0; v < vectors; ++v)
-                add_field(blended[k], load<Lanes>(wide[k].at + first + v * width), v, sums);
-        const NarrowRows* narrow = work.narrow + block * work.narrow_count;
-        for (int k = 0; k < work.narrow_count; ++k)
-            for (int v = 0; v < vectors; ++v)
-            {
-                const auto steps = load<typename Types::Shorts>(narrow[k].at + first + v * width);
-                add_field(blended[work.wide_count + k], __builtin_convertvector(steps, Lanes), v,
-                          sums);
-            }
-        const long offset = 3 * (block * ResponseRows::count + first);
+HWY_INLINE void store(const Lanes (&sums)[3], double* result)
+{
+    using Doubles = hn::CappedTag<double, 8>;
+    const hn::Rebind<float, Doubles> half;
+    constexpr int step = static_cast<int>(hn::MaxLanes(Doubles()));
+    float rows[3 * width];
+    hn::StoreInterleaved3(sums[0], sums[1], sums[2], Floats(), rows);
+    for (int k = 0; k < 3 * width; k += step)
+        hn::StoreU(hn::PromoteTo(Doubles(), hn::LoadU(half, rows + k)), Doubles(), result + k);
+}
+
+// Rows `first` .. of one block.
+HWY_INLINE void multiply_rows(const ResponseProduct& work, const Blended& blended, long block,
+                              int first)
+{
+    const hn::Rebind<std::int16_t, Floats> shorts;
+    const hn::Rebind<std::int32_t, Floats> integers;
+    Sums sums;
+    for (auto& sum : sums.at)
+        sum[0] = sum[1] = sum[2] = hn::Zero(Floats());
+    const ResponseRows* wide = work.wide + block * work.wide_count;
+    for (int k = 0; k < work.wide_count; ++k)
+        for (int v = 0; v < vectors; ++v)
+            add_field(blended[k], hn::LoadU(Floats(), wide[k].at + first + v * width), sums.at[v]);
+    const NarrowRows* narrow = work.narrow + block * work.narrow_count;
+    for (int k = 0; k < work.narrow_count; ++k)
         for (int v = 0; v < vectors; ++v)
         {
-            store<0>(sums, v, work.result + offset);
-            store<1>(sums, v, work.result + offset);
-            store<2>(sums, v, work.result + offset);
+            const auto steps = hn::LoadU(shorts, narrow[k].at + first + v * width);
+            add_field(blended[work.wide_count + k],
+                      hn::ConvertTo(Floats(), hn::PromoteTo(integers, steps)), sums.at[v]);
         }
-    }
+    for (int v = 0; v < vectors; ++v)
+        store(sums.at[v], work.result + 3 * (block * ResponseRows::count + first + v * width));
+}
 
-    static SHEETMORPH_INLINE void run(const ResponseProduct& work)
-    {
-        static_assert(ResponseRows::count % (vectors * width) == 0);
-        Blended blended;
-        blend(work, blended);
-        for (long block = 0; block < work.blocks; ++block)
-            for (int first = 0; first < ResponseRows::count; first += vectors * width)
-                rows(work, blended, block, first);
-    }
-};
+void run_widest(const ResponseProduct& work)
+{
+    static_assert(ResponseRows::count % (vectors * width) == 0);
+    Blended blended;
+    blend(work, blended);
+    for (long block = 0; block < work.blocks; ++block)
+        for (int first = 0; first < ResponseRows::count; first += vectors * width)
+            multiply_rows(work, blended, block, first);
+}
 
 }  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace sheetmorph::numerics
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sheetmorph::numerics
+{
+
+HWY_EXPORT(run_widest);
 
 void run_response_kernel(const ResponseProduct& work)
 {
-    run_widest([&](auto width) SHEETMORPH_INLINED { Kernel<2 * width>::run(work); });
+    SHEETMORPH_WIDEST(run_widest)(work);
 }
 
 }  // namespace sheetmorph::numerics
+#endif

@@ -14,9 +14,9 @@ namespace sheetmorph::repair
 namespace
 {
 
-constexpr double rim_angle = 0.7;
-constexpr double roundness = 0.02;
-constexpr double fewest_segments = 36.0;
+constexpr double rim_angle = 0.7;         // radians, as in mesh/quality/diagnosis.cpp
+constexpr double roundness = 0.02;        // tolerance of round_rim(), as there
+constexpr double fewest_segments = 36.0;  // of a rim: 10 degrees each
 
 Vector3 on_circle(const fitting::CircleFit& circle, const Vector3& place)
 {

@@ -17,7 +17,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Fewest for which another thread is worth its start.
+// Fewest vertices worth a thread.
 constexpr Eigen::Index least_blended = 2048;
 
 bool turns_sheet(const Turner& turner)
@@ -25,8 +25,8 @@ bool turns_sheet(const Turner& turner)
     return turner.turns && !turner.vertices.empty();
 }
 
-// How much a feature is held at the field's rotation, by the largest turn of the field between it
-// and what lies around it.
+// Stiffness that constrains a feature to the field's rotation, relative to its own, as a function
+// of the largest angle between field and feature (radians): a smooth step from 0 to 4.
 double hold(double angle)
 {
     constexpr double begins = 75.0 / 180.0 * pi;

@@ -12,9 +12,9 @@ namespace sheetmorph::surface
 namespace
 {
 
-constexpr double farthest_shift = 0.35;  // of the part's size
+constexpr double farthest_shift = 0.35;  // relative to the part's size
 
-// How far handles turn, and how many poses tell that, by how many they are.
+// Largest rotation of the handles (radians) and number of poses, by the number of handles.
 struct Own
 {
     double farthest;

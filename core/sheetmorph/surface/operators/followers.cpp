@@ -14,7 +14,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// The triangles that a vertex may follow: none with a corner that follows itself.
+// The triangles that a vertex may follow: those without a follower.
 std::vector<int> leading_triangles(const mesh::TriangleMesh& rest, const VertexRoles& roles)
 {
     std::vector<int> leading;
@@ -64,7 +64,7 @@ void Followers::place(const mesh::TriangleMesh& rest, Points& positions,
     {
         const Vector3 arm = rest.points().row(vertex).transpose() - place.on(rest.points());
         const Vector3 log = place.on(rotation_logs);
-        // As a displacement, so that a sheet at rest stays where it is.
+        // Computed as a displacement, so that a sheet at rest stays exactly at rest.
         const Vector3 shift = place.sum(
             [&](int corner) { return Vector3(positions.row(corner) - rest.points().row(corner)); });
         positions.row(vertex) =

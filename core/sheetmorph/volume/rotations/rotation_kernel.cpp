@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/volume/rotations/rotation_kernel.h"
 
-#include "sheetmorph/base/instructions/widest.h"
-#include "sheetmorph/volume/rotations/lane_rotations.h"
+#include "sheetmorph/base/instructions/instructions.h"
 
 #include <algorithm>
 
-// Fused multiply-adds where the processor has them.
-#pragma GCC optimize("fp-contract=fast")
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sheetmorph/volume/rotations/rotation_kernel.cpp"
+#include <hwy/foreach_target.h>
 
+#include "sheetmorph/volume/rotations/lane_rotations.h"
+
+HWY_BEFORE_NAMESPACE();
 namespace sheetmorph::volume
 {
-
+namespace HWY_NAMESPACE
+{
 namespace
 {
 
@@ -22,79 +26,66 @@ struct RingWork
     const RingSpokes* spokes;
     const double* rest;
     const double* now;
-    Matrix3* references;
 };
 
-template <int width>
-struct Kernel : LaneRotations<width>
+struct Kernel : LaneRotations
 {
-    using Lanes = typename VectorTypes<width>::Lanes;
-    using Bits = typename VectorTypes<width>::Bits;
-    using Matrices = typename LaneRotations<width>::Matrices;
-
     struct Vectors
     {
         Lanes at[3];
     };
 
-    static SHEETMORPH_INLINE Lanes load(const double* from)
+    static HWY_INLINE Vectors gathered(const double* points, const int* rows)
     {
-        Lanes value;
-        std::memcpy(&value, from, sizeof value);
-        return value;
-    }
-
-    static SHEETMORPH_INLINE Vectors gathered(const double* points, const int* rows)
-    {
-        Vectors found;
+        const double* row[width];
         for (int lane = 0; lane < width; ++lane)
-            for (int axis = 0; axis < 3; ++axis)
-                found.at[axis][lane] = points[3 * static_cast<long>(rows[lane]) + axis];
-        return found;
+            row[lane] = points + 3 * static_cast<long>(rows[lane]);
+        return {{LaneRotations::gathered(row, 0), LaneRotations::gathered(row, 1),
+                 LaneRotations::gathered(row, 2)}};
     }
 
-    static SHEETMORPH_INLINE Vectors between(const Vectors& from, const Vectors& to)
+    static HWY_INLINE Lanes dot(const Vectors& a, const Vectors& b)
     {
-        Vectors found;
-        for (int axis = 0; axis < 3; ++axis)
-            found.at[axis] = to.at[axis] - from.at[axis];
-        return found;
+        return LaneRotations::dot({a.at[0], a.at[1], a.at[2]}, {b.at[0], b.at[1], b.at[2]});
+    }
+
+    static HWY_INLINE Vectors between(const Vectors& from, const Vectors& to)
+    {
+        return {{to.at[0] - from.at[0], to.at[1] - from.at[1], to.at[2] - from.at[2]}};
     }
 
     // m v
-    static SHEETMORPH_INLINE Vectors turned(const Matrices& m, const Vectors& v)
+    static HWY_INLINE Vectors turned(const Matrices& m, const Vectors& v)
     {
-        Vectors found;
-        for (int row = 0; row < 3; ++row)
-            found.at[row] = m.at[row] * v.at[0] + m.at[3 + row] * v.at[1] + m.at[6 + row] * v.at[2];
-        return found;
+        return {{dot({m.at[0], m.at[3], m.at[6]}, v), dot({m.at[1], m.at[4], m.at[7]}, v),
+                 dot({m.at[2], m.at[5], m.at[8]}, v)}};
     }
 
     // to += a b^T
-    static SHEETMORPH_INLINE void add_outer(const Vectors& a, const Vectors& b, Matrices& to)
+    static HWY_INLINE void add_outer(const Vectors& a, const Vectors& b, Matrices& to)
     {
         for (int column = 0; column < 3; ++column)
             for (int row = 0; row < 3; ++row)
-                to.at[3 * column + row] += a.at[row] * b.at[column];
+                to.at[3 * column + row] =
+                    hn::MulAdd(a.at[row], b.at[column], to.at[3 * column + row]);
     }
 
-    static SHEETMORPH_INLINE Lanes factors(const signed char* numbers)
+    static HWY_INLINE Lanes factors(const signed char* numbers)
     {
-        Lanes found;
-        for (int lane = 0; lane < width; ++lane)
-            found[lane] = numbers[lane];
-        return found;
+        const hn::Rebind<std::int8_t, Doubles> bytes;
+        const hn::Rebind<std::int32_t, Doubles> integers;
+        return hn::PromoteTo(Doubles(), hn::PromoteTo(integers, hn::LoadU(bytes, numbers)));
     }
 
     // What the references leave unexplained of the rings' edges and normals.
-    static SHEETMORPH_INLINE Bits unexplained(const RingWork& work, int begin,
-                                              const Matrices& reference, Matrices& sum)
+    static HWY_INLINE Mask unexplained(const RingWork& work, int begin, const Matrices& reference,
+                                       Matrices& sum)
     {
         const RingBatch& batch = work.batch;
         const Vectors own_rest = gathered(work.rest, batch.vertex + begin);
         const Vectors own_now = gathered(work.now, batch.vertex + begin);
-        Vectors area = {}, before = {};
-        Lanes left_over = {};
+        Lanes left_over = filled(0.0);
+        Vectors area = {{left_over, left_over, left_over}}, before = area;
         for (int k = 0; k < batch.count; ++k)
         {
             const RingSpokes& spoke = work.spokes[k];
@@ -106,42 +97,40 @@ struct Kernel : LaneRotations<width>
             for (int axis = 0; axis < 3; ++axis)
             {
                 left.at[axis] = triangles * (now.at[axis] - explained.at[axis]);
-                left_over += left.at[axis] * left.at[axis];
+                left_over = hn::MulAdd(left.at[axis], left.at[axis], left_over);
             }
             add_outer(left, rest, sum);
             const Lanes is_next = factors(spoke.is_next + begin);
             for (int axis = 0; axis < 3; ++axis)
             {
                 const int y = (axis + 1) % 3, z = (axis + 2) % 3;
-                area.at[axis] += is_next * (before.at[y] * now.at[z] - before.at[z] * now.at[y]);
+                const Lanes cross = hn::MulSub(before.at[y], now.at[z], before.at[z] * now.at[y]);
+                area.at[axis] = hn::MulAdd(is_next, cross, area.at[axis]);
             }
             before = now;
         }
-        Vectors normal;
-        for (int axis = 0; axis < 3; ++axis)
-            normal.at[axis] = load(batch.normal[axis] + begin);
+        const Vectors normal = {{load(batch.normal[0] + begin), load(batch.normal[1] + begin),
+                                 load(batch.normal[2] + begin)}};
         add_outer(left_of_normal(batch, begin, turned(reference, normal), area), normal, sum);
-        return left_over > 0.0;
+        return left_over > filled(0.0);
     }
 
     // What is unexplained of the normal, times its weight.
-    static SHEETMORPH_INLINE Vectors left_of_normal(const RingBatch& batch, int begin,
-                                                    const Vectors& explained, const Vectors& area)
+    static HWY_INLINE Vectors left_of_normal(const RingBatch& batch, int begin,
+                                             const Vectors& explained, const Vectors& area)
     {
-        const Lanes squares =
-            area.at[0] * area.at[0] + area.at[1] * area.at[1] + area.at[2] * area.at[2];
-        const Lanes zero = {}, given = load(batch.normal_weight + begin);
-        const Lanes weight = squares > 1e-280 ? given : zero;
-        const Lanes length = LaneFunctions<width>::inverse_root(squares);
+        const Lanes squares = dot(area, area), length = inverse_root(squares);
+        const Lanes weight =
+            hn::IfThenElseZero(squares > filled(1e-280), load(batch.normal_weight + begin));
         Vectors left;
         for (int axis = 0; axis < 3; ++axis)
-            left.at[axis] = weight * (area.at[axis] * length - explained.at[axis]);
+            left.at[axis] = weight * hn::MulSub(area.at[axis], length, explained.at[axis]);
         return left;
     }
 
     // to += a times the symmetric inverse
-    static SHEETMORPH_INLINE Bits add_product(const RingBatch& batch, int begin, const Matrices& a,
-                                              Matrices& to)
+    static HWY_INLINE Mask add_product(const RingBatch& batch, int begin, const Matrices& a,
+                                       Matrices& to)
     {
         Lanes inverse[6];
         for (int k = 0; k < 6; ++k)
@@ -150,49 +139,63 @@ struct Kernel : LaneRotations<width>
         for (int column = 0; column < 3; ++column)
             for (int row = 0; row < 3; ++row)
                 for (int k = 0; k < 3; ++k)
-                    to.at[3 * column + row] += a.at[3 * k + row] * inverse[at[k][column]];
-        return inverse[0] + inverse[1] + inverse[2] > 0.0;
-    }
-
-    static SHEETMORPH_INLINE void turn(const RingWork& work)
-    {
-        for (int begin = 0; begin < work.batch.rings; begin += width)
-        {
-            const int count = std::min(width, work.batch.rings - begin);
-            Matrices map = Matrices::loaded(work.references + begin, count), sum = {};
-            Bits is_turned = unexplained(work, begin, map, sum);
-            is_turned &= add_product(work.batch, begin, sum, map);
-            LaneRotations<width>::store_polar(map, is_turned, work.references + begin, count);
-        }
-    }
-
-    static SHEETMORPH_INLINE void rotate(Matrix3* matrices, int count)
-    {
-        const Bits none = {};
-        LaneRotations<width>::store_polar(Matrices::loaded(matrices, count), ~none, matrices,
-                                          count);
+                    to.at[3 * column + row] = hn::MulAdd(a.at[3 * k + row], inverse[at[k][column]],
+                                                         to.at[3 * column + row]);
+        return inverse[0] + inverse[1] + inverse[2] > filled(0.0);
     }
 };
 
+void turn_widest(const RingBatch& batch, const std::vector<RingSpokes>& spokes,
+                 const RingPoints& points, Matrix3* references)
+{
+    const RingWork work{batch, spokes.data() + batch.first, points.rest.data(), points.now.data()};
+    for (int begin = 0; begin < batch.rings; begin += Kernel::width)
+    {
+        const int count = std::min(Kernel::width, batch.rings - begin);
+        auto map = Kernel::Matrices::loaded(references + begin, count);
+        Kernel::Matrices sum;
+        for (Kernel::Lanes& entry : sum.at)
+            entry = Kernel::filled(0.0);
+        const auto is_open = Kernel::unexplained(work, begin, map, sum);
+        const auto is_turned = hn::And(is_open, Kernel::add_product(batch, begin, sum, map));
+        Kernel::store_polar(map, is_turned, references + begin, count);
+    }
+}
+
+void rotate_widest(std::vector<Matrix3>& matrices)
+{
+    const int size = static_cast<int>(matrices.size());
+    for (int k = 0; k < size; k += Kernel::width)
+    {
+        const int count = std::min(Kernel::width, size - k);
+        const auto given = Kernel::Matrices::loaded(matrices.data() + k, count);
+        const auto all = hn::FirstN(Kernel::Doubles(), static_cast<std::size_t>(count));
+        Kernel::store_polar(given, all, matrices.data() + k, count);
+    }
+}
+
 }  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace sheetmorph::volume
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sheetmorph::volume
+{
+
+HWY_EXPORT(turn_widest);
+HWY_EXPORT(rotate_widest);
 
 void turn_rings(const RingBatch& batch, const std::vector<RingSpokes>& spokes,
                 const RingPoints& points, Matrix3* references)
 {
-    const RingWork work{batch, spokes.data() + batch.first, points.rest.data(), points.now.data(),
-                        references};
-    run_widest([&](auto width) SHEETMORPH_INLINED { Kernel<width>::turn(work); });
+    SHEETMORPH_WIDEST(turn_widest)(batch, spokes, points, references);
 }
 
 void make_rotations(std::vector<Matrix3>& matrices)
 {
-    const int count = static_cast<int>(matrices.size());
-    run_widest(
-        [&](auto width) SHEETMORPH_INLINED
-        {
-            for (int k = 0; k < count; k += width)
-                Kernel<width>::rotate(matrices.data() + k, std::min<int>(width, count - k));
-        });
+    SHEETMORPH_WIDEST(rotate_widest)(matrices);
 }
 
 }  // namespace sheetmorph::volume
+#endif

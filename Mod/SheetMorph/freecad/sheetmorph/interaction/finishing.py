@@ -17,7 +17,7 @@ from freecad.sheetmorph.interaction.finishing_bar import FinishingBar
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import MorphError
-from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, translate
 
 PATIENCE = 0.06  # seconds that OK may wait for a shape, so that a small morph has it at once
 LARGE = 20_000  # vertices of a morph whose shape OK does not wait for
@@ -184,7 +184,7 @@ class Finishing(QtCore.QObject):
         self._bar = None
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(LOOK)
-        self._timer.timeout.connect(self._look)
+        connect(self._timer, "timeout()", self._look)
 
     def finish(self, assembly, *, is_quiet: bool = False) -> Finish:
         """Lets the parts of a morph follow its present pose in the background. ``is_quiet``: a

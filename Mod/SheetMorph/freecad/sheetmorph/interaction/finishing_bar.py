@@ -3,7 +3,7 @@
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph.qt import QtWidgets, translate
+from freecad.sheetmorph.qt import QtWidgets, connect, translate
 
 WIDTH = 120  # px of the bar
 
@@ -30,7 +30,7 @@ class FinishingBar:
                 "Stops computing; a recompute of the document computes the shape.",
             )
         )
-        self._button.clicked.connect(stop)
+        connect(self._button, "clicked()", stop)
         for widget in (self._text, self._bar, self._button):
             row.addWidget(widget)
         Gui.getMainWindow().statusBar().addPermanentWidget(self._row)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, translate
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, connect, translate
 
 PASSED, FAILED = "#0f8a5f", "#c4231f"
 SHOWN = 12
@@ -29,8 +29,8 @@ def show(folder: str) -> None:
     page = QtCore.QUrl.fromLocalFile(str(Path(folder) / "certificate.html"))
     label = translate("SheetMorph_panels", "Open Page")
     opened = buttons.addButton(label, QtWidgets.QDialogButtonBox.ActionRole)
-    opened.clicked.connect(lambda: QtGui.QDesktopServices.openUrl(page))
-    buttons.rejected.connect(dialog.reject)
+    connect(opened, "clicked()", lambda: QtGui.QDesktopServices.openUrl(page))
+    connect(buttons, "rejected()", dialog.reject)
     column = QtWidgets.QVBoxLayout(dialog)
     column.addWidget(text)
     column.addWidget(buttons)

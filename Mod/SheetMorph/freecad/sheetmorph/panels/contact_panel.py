@@ -11,7 +11,7 @@ from freecad.sheetmorph.panels.base import Panel, chip, say, vertices_said
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.interaction.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
-from freecad.sheetmorph.qt import translate
+from freecad.sheetmorph.qt import connect, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import PartLight
 from freecad.sheetmorph.scene.pick_view import PickView
@@ -179,12 +179,12 @@ class ContactPanel(Panel):
             combo.addItem(translate("SheetMorph_panels", "Click on a part…"), "")
             for part in self._parts.values():
                 combo.addItem(part.Label, part.Name)
-            combo.activated.connect(lambda _index, s=side: self._choose_part(s))
+            connect(combo, "activated(int)", lambda _index, s=side: self._choose_part(s))
         form.distance.setMinimum(0.0)
         form.distance.setValue(2.0)
-        form.distance.valueChanged.connect(self._touch)
-        form.way.currentIndexChanged.connect(self._choose_way)
-        form.type.currentIndexChanged.connect(self._explain)
+        connect(form.distance, "valueChanged(double)", self._touch)
+        connect(form.way, "currentIndexChanged(int)", self._choose_way)
+        connect(form.type, "currentIndexChanged(int)", self._explain)
         contact_types.fill(form.type, contact_types.TYPE_NAMES, contact_types.TYPE_TEXTS)
 
     def _explain(self, index: int) -> None:

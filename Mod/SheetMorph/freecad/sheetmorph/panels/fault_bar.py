@@ -7,7 +7,7 @@ from freecad.sheetmorph import actions, mending
 from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.bridge.faults import fault_of
 from freecad.sheetmorph.panels.base import say
-from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
 from freecad.sheetmorph.scene.looking import look_at
@@ -83,6 +83,6 @@ class FaultBar(QtCore.QObject):
     def _button(self, object_name: str, text: str, action):
         button = QtWidgets.QPushButton(text, self._row)
         button.setObjectName(object_name)
-        button.clicked.connect(action)
+        connect(button, "clicked()", action)
         self._row.layout().addWidget(button)
         return button

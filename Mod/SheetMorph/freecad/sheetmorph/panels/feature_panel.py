@@ -14,7 +14,7 @@ from freecad.sheetmorph.panels import keeping
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.interaction.live_scene import LiveScene
-from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, translate
 from freecad.sheetmorph.tools import words
 
 RELATE = ("", "group", "coaxial", "keep_distance")
@@ -62,7 +62,7 @@ class FeaturePanel(Panel):
         ]
         self._shown = None
         self._pause = QtCore.QTimer(self.form, singleShot=True, interval=PAUSE)
-        self._pause.timeout.connect(lambda: session.when_free(self._show_changes))
+        connect(self._pause, "timeout()", lambda: session.when_free(self._show_changes))
         session.at_end(self._end_drawing)
         session.at_end(self._pause.stop)
         self._worker = FrameWorker(self._compute, self)
@@ -94,10 +94,10 @@ class FeaturePanel(Panel):
         form = self.form
         vectors = [f"{of}_{axis}" for of in ("rotation", "direction", "point") for axis in "xyz"]
         for name_of in ("angle", "feature_size", *vectors):
-            getattr(form, name_of).valueChanged.connect(self._await)
+            connect(getattr(form, name_of), "valueChanged(double)", self._await)
         for box in (form.rotation, form.motion):
-            box.currentIndexChanged.connect(self._await)
-        form.has_size.toggled.connect(self._await)
+            connect(box, "currentIndexChanged(int)", self._await)
+        connect(form.has_size, "toggled(bool)", self._await)
 
     def _await(self, *_) -> None:
         self._pause.start()
@@ -230,8 +230,8 @@ class FeaturePanel(Panel):
             item.setCheckState(QtCore.Qt.Unchecked)
         form.relation.setEnabled(bool(self._others))
         for box in (form.rotation, form.motion, form.relation):
-            box.currentIndexChanged.connect(self._refresh)
-        form.has_size.toggled.connect(self._refresh)
+            connect(box, "currentIndexChanged(int)", self._refresh)
+        connect(form.has_size, "toggled(bool)", self._refresh)
         related = model.relations(self._assembly, self._feature)
         text = ", ".join(f"{relation.Label} ({relation.Type})" for relation in related)
         say(form.related, f"Relations: {text}" if text else "")

@@ -10,7 +10,7 @@ from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.find_kinds import CONTACTS, FEATURES
 from freecad.sheetmorph.panels.folding import Folds
-from freecad.sheetmorph.qt import QtCore, translate
+from freecad.sheetmorph.qt import QtCore, connect, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
 from freecad.sheetmorph.scene.looking import look_at
@@ -163,15 +163,15 @@ class FindPanel(Panel):
         form = self.form
         find_table.prepare(form.table, self._what.columns)
         self._what.prepare(form)
-        form.kind.currentIndexChanged.connect(self._filter)
-        form.smallest.valueChanged.connect(self._filter)
-        form.largest.valueChanged.connect(self._filter)
-        form.search.clicked.connect(self.search)
-        form.all.clicked.connect(self._check_all)
-        form.none.clicked.connect(self._check_none)
-        form.table.cellEntered.connect(self._light)
-        form.table.cellDoubleClicked.connect(self._look)
-        form.table.itemChanged.connect(self._count)
+        connect(form.kind, "currentIndexChanged(int)", self._filter)
+        connect(form.smallest, "valueChanged(double)", self._filter)
+        connect(form.largest, "valueChanged(double)", self._filter)
+        connect(form.search, "clicked()", self.search)
+        connect(form.all, "clicked()", self._check_all)
+        connect(form.none, "clicked()", self._check_none)
+        connect(form.table, "cellEntered(int,int)", self._light)
+        connect(form.table, "cellDoubleClicked(int,int)", self._look)
+        connect(form.table, "itemChanged(QTableWidgetItem*)", self._count)
         self._leaving = _Leaving(self._light)
         form.table.viewport().installEventFilter(self._leaving)
         self.session.at_end(self._leaving.deleteLater)

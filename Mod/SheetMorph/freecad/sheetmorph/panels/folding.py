@@ -2,7 +2,7 @@
 """Groups of a panel that fold to their title, so that it fits a small screen."""
 
 from freecad.sheetmorph import preferences
-from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect
 
 
 class Folds:
@@ -13,7 +13,7 @@ class Folds:
         self._buttons = {entry: foldable(group) for group, entry in entries.items()}
         for entry, button in self._buttons.items():
             button.setChecked(preferences.get(entry))
-            button.toggled.connect(lambda is_open, of=entry: preferences.put(of, is_open))
+            connect(button, "toggled(bool)", lambda is_open, of=entry: preferences.put(of, is_open))
 
 
 def foldable(group):
@@ -38,8 +38,8 @@ def foldable(group):
     column.addWidget(button)
     column.addWidget(inside)
     inside.setVisible(False)
-    button.toggled.connect(inside.setVisible)
-    button.toggled.connect(lambda is_open: point(button, is_open))
+    connect(button, "toggled(bool)", inside.setVisible)
+    connect(button, "toggled(bool)", lambda is_open: point(button, is_open))
     return button
 
 

@@ -5,7 +5,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.panels.guide_panel import GuidePanel
-from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect
 
 CALM = 100  # ms without a change of the document until the panel shows it
 GONE = 50  # ms until the widgets of a closed panel are gone
@@ -109,5 +109,5 @@ def _timer(milliseconds: int, is_single: bool, action):
     timer = QtCore.QTimer()
     timer.setInterval(milliseconds)
     timer.setSingleShot(is_single)
-    timer.timeout.connect(action)
+    connect(timer, "timeout()", action)
     return timer

@@ -2,7 +2,7 @@
 """One step in the guide: a mark, a title, what is missing in words, and buttons for commands."""
 
 from freecad.sheetmorph.panels.base import say
-from freecad.sheetmorph.qt import QtCore, icon_of, translate
+from freecad.sheetmorph.qt import QtCore, connect, icon_of, translate
 from freecad.sheetmorph.tools import guide
 
 MARKS = {
@@ -30,7 +30,7 @@ class StepView:
             press = _Press(f"SheetMorph_{name}", run)
             self._presses.append(press)
             for button in self._buttons(name):
-                button.clicked.connect(press.pressed)
+                connect(button, "clicked()", press.pressed)
 
     def show(self, step: guide.Step, commands) -> None:
         """Shows the state of the step; where to press now the buttons have words.

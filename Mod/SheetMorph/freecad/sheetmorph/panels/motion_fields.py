@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The fields of a motion in the Move Handle panel: between widgets and numbers."""
 
-from freecad.sheetmorph.qt import QtCore, translate
+from freecad.sheetmorph.qt import QtCore, connect, translate
 from freecad.sheetmorph.tools.motion import Motion
 
 PRESSED = "QPushButton:checked { color: black; }"  # dark styles write blue on blue
@@ -24,15 +24,17 @@ class MotionFields(QtCore.QObject):
         self._is_writing = False
         self._at_centroid = True
         form.angle.measure("deg")
-        form.angle.valueChanged.connect(self._send)
+        connect(form.angle, "valueChanged(double)", self._send)
         for c in "xyz":
-            getattr(form, f"translation_{c}").valueChanged.connect(self._send)
-            getattr(form, f"axis_{c}").valueChanged.connect(self._send)
-            getattr(form, f"pivot_{c}").valueChanged.connect(self._leave_centroid)
+            connect(getattr(form, f"translation_{c}"), "valueChanged(double)", self._send)
+            connect(getattr(form, f"axis_{c}"), "valueChanged(double)", self._send)
+            connect(getattr(form, f"pivot_{c}"), "valueChanged(double)", self._leave_centroid)
             getattr(form, f"along_{c}").setCheckable(True)
             getattr(form, f"along_{c}").setStyleSheet(PRESSED)
-            getattr(form, f"along_{c}").clicked.connect(lambda _=False, d=c: self._turn_about(d))
-        form.centre.clicked.connect(self._return_to_centroid)
+            connect(
+                getattr(form, f"along_{c}"), "clicked()", lambda _=False, d=c: self._turn_about(d)
+            )
+        connect(form.centre, "clicked()", self._return_to_centroid)
 
     def read(self) -> Motion:
         """The motion the fields say."""

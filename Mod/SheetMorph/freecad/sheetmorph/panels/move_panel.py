@@ -22,7 +22,7 @@ from freecad.sheetmorph.panels.motion_fields import MotionFields
 from freecad.sheetmorph.panels.reach_marks import ReachMarks, criteria_of
 from freecad.sheetmorph.interaction.moved_handles import MovedHandles
 from freecad.sheetmorph.panels.show_fields import ShowFields
-from freecad.sheetmorph.qt import QtCore, QtWidgets, number, translate
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, number, translate
 from freecad.sheetmorph.scene.handle_marks import HandleMarks
 from freecad.sheetmorph.scene.legend import ViewLegend
 from freecad.sheetmorph.tools.motion import Motion
@@ -320,10 +320,10 @@ class MovePanel(Panel):
     def _prepare_widgets(self) -> None:
         form = self.form
         self._fill_list()
-        form.handle.currentIndexChanged.connect(self._on_choice)
+        connect(form.handle, "currentIndexChanged(int)", self._on_choice)
         form.results.setCurrentIndex(self._updating.preference)
-        form.results.currentIndexChanged.connect(self._choose_update)
-        form.reset.clicked.connect(self._reset)
+        connect(form.results, "currentIndexChanged(int)", self._choose_update)
+        connect(form.reset, "clicked()", self._reset)
         self._fields.changed.connect(self._on_change)
         say(form.axis_message, "")
         # A line from the start: a panel that grows while one clicks takes the click elsewhere.
@@ -391,7 +391,7 @@ class MovePanel(Panel):
         timer = QtCore.QTimer(self.form)
         timer.setSingleShot(True)
         timer.setInterval(milliseconds)
-        timer.timeout.connect(lambda: self.session.when_free(action))
+        connect(timer, "timeout()", lambda: self.session.when_free(action))
         return timer
 
 

@@ -6,10 +6,12 @@ as it is shown, 1 mm is 0 where lengths are in feet. And FreeCAD takes a number 
 one of whatever unit was shown before, of nanometres perhaps.
 """
 
+from functools import cache
+
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.bridge import units
-from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, connect
 
 LENGTH = "Gui::QuantitySpinBox"  # FreeCAD's field for a length
 REPLACED = (LENGTH, "QDoubleSpinBox")
@@ -31,7 +33,7 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         super().__init__()
         self._unit, self._decimals = unit, shown_decimals
         self._shown = "", 1.0  # and how many mm or degrees its unit has
-        self.editingFinished.connect(self._finish)
+        connect(self, "editingFinished()", self._finish)
         self.setDecimals(DIGITS)
         self.setRange(-FARTHEST, FARTHEST)
 
@@ -102,9 +104,16 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         return units.said(value, self._unit)
 
 
+@cache
+def loader():
+    """FreeCAD's loader of files of Qt Designer, one for all: it keeps a little of each that is
+    made."""
+    return Gui.UiLoader()
+
+
 def loaded(file: str):
     """The widgets of a file of Qt Designer; all its fields for numbers are ones of this kind."""
-    form = Gui.PySideUic.loadUi(file)
+    form = loader().load(file)
     layouts = form.findChildren(QtWidgets.QLayout)
     for name, widget in list(vars(form).items()):
         # widget.metaObject() would say so too, but PySide never frees what it returns.

@@ -5,7 +5,7 @@ import math
 
 from freecad.sheetmorph import paths, preferences
 from freecad.sheetmorph.panels.number_field import loaded
-from freecad.sheetmorph.qt import icon_of, translate
+from freecad.sheetmorph.qt import connect, icon_of, translate
 from freecad.sheetmorph.tools import figures, picking
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
@@ -55,17 +55,18 @@ class PickTools:
         widgets.angle.setValue(preferences.get("CreaseAngle"))
         widgets.rings.setValue(preferences.get("HoleRings"))
         widgets.radius.setValue(preferences.get("BrushRadius"))
-        for field in (widgets.angle, widgets.rings, widgets.radius):
-            field.valueChanged.connect(self._apply)
-        widgets.through.toggled.connect(self._apply)
+        connect(widgets.angle, "valueChanged(double)", self._apply)
+        for field in (widgets.rings, widgets.radius):
+            connect(field, "valueChanged(int)", self._apply)
+        connect(widgets.through, "toggled(bool)", self._apply)
         for mode in MODES:
-            getattr(widgets, f"mode_{mode}").toggled.connect(self._apply)
+            connect(getattr(widgets, f"mode_{mode}"), "toggled(bool)", self._apply)
         for tool, icon in ICONS.items():
             button = getattr(widgets, tool)
             button.setIcon(icon_of(paths.icon(icon)))
-            button.clicked.connect(lambda _=False, t=tool: self.choose(t))
+            connect(button, "clicked()", lambda _=False, t=tool: self.choose(t))
         for button, step in STEPS.items():
-            getattr(widgets, button).clicked.connect(lambda _=False, s=step: self._do(s))
+            connect(getattr(widgets, button), "clicked()", lambda _=False, s=step: self._do(s))
         self.use(picker)
 
     def use(self, picker) -> None:

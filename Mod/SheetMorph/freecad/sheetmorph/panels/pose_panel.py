@@ -13,7 +13,7 @@ from freecad.sheetmorph.panels import keeping, progress
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.interaction.live_update import LiveUpdate
-from freecad.sheetmorph.qt import QtCore, translate
+from freecad.sheetmorph.qt import QtCore, connect, translate
 from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 from freecad.sheetmorph.tools.updating import ON_OK, PAUSE, Updating
@@ -41,7 +41,7 @@ class PosePanel(Panel):
         self._shares = []  # (snapshot, fields) of every blend that was shown for a while
         self._live = None
         self._pause = QtCore.QTimer(self.form, singleShot=True, interval=round(1000 * PAUSE))
-        self._pause.timeout.connect(lambda: session.when_free(self._settle))
+        connect(self._pause, "timeout()", lambda: session.when_free(self._settle))
         self._faults = FaultBar(self.form, session, assembly)
         self._faults.mended.connect(self._follow_later)
         self._prepare_widgets(pose)
@@ -79,10 +79,10 @@ class PosePanel(Panel):
         form.second.setCurrentIndex(self._poses.index(pose))
         form.slider.setValue(100)
         form.percent.setValue(100)
-        form.first.currentIndexChanged.connect(self._choose)
-        form.second.currentIndexChanged.connect(self._choose)
-        form.slider.valueChanged.connect(form.percent.setValue)
-        form.percent.valueChanged.connect(self._on_percent)
+        connect(form.first, "currentIndexChanged(int)", self._choose)
+        connect(form.second, "currentIndexChanged(int)", self._choose)
+        connect(form.slider, "valueChanged(int)", form.percent.setValue)
+        connect(form.percent, "valueChanged(double)", self._on_percent)
 
     def _start(self) -> None:
         try:

@@ -12,7 +12,7 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import differences
 from freecad.sheetmorph.panels.base import Panel, say
-from freecad.sheetmorph.qt import translate
+from freecad.sheetmorph.qt import connect, translate
 from freecad.sheetmorph.scene.highlight import PartLight
 from freecad.sheetmorph.scene.looking import look_at
 from freecad.sheetmorph.scene.mesh_preview import MeshPreview
@@ -202,12 +202,12 @@ class PreparePanel(Panel):
         say(form.message, "")
         for unit, scale in cures.units().items():
             form.unit.addItem(unit, scale)
-        form.scale.clicked.connect(self._tell)
-        form.unit.activated.connect(self._tell)
+        connect(form.scale, "clicked()", self._tell)
+        connect(form.unit, "activated(int)", self._tell)
         for box in (form.weld, form.remesh):
-            box.toggled.connect(self._refresh)
-        form.tolerance.textEdited.connect(self._refresh)
-        form.preview.clicked.connect(self._show_preview)
+            connect(box, "toggled(bool)", self._refresh)
+        connect(form.tolerance, "textEdited(QString)", self._refresh)
+        connect(form.preview, "clicked()", self._show_preview)
 
     def _refresh(self, *_) -> None:
         """Fields that mean nothing now are grey; a preview of something else goes."""

@@ -13,7 +13,7 @@ from freecad.sheetmorph.interaction import control_meshes
 from freecad.sheetmorph.interaction.finishing import finishing
 from freecad.sheetmorph.panels import contact_types, keeping, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, listed, say
-from freecad.sheetmorph.qt import QtWidgets, number, translate
+from freecad.sheetmorph.qt import QtWidgets, connect, number, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
 from freecad.sheetmorph.scene.wireframe import Wireframe
@@ -239,13 +239,13 @@ class PropagationPanel(Panel):
         form = self.form
         contact_types.fill(form.type, contact_types.TYPE_NAMES, contact_types.TYPE_TEXTS)
         contact_types.fill(form.mode, contact_types.MODE_NAMES, contact_types.MODE_TEXTS)
-        form.kind.currentIndexChanged.connect(self._change_propagation)
-        form.levels.valueChanged.connect(self._change_propagation)
-        form.smoothness.valueChanged.connect(self._change_propagation)
-        form.unheld.activated.connect(self._change_unheld)
-        form.tree.itemSelectionChanged.connect(self._choose)
-        form.mode.activated.connect(self._change_mode)
-        form.primary.clicked.connect(self._make_primary)
-        form.type.activated.connect(self._change_type)
-        form.active.clicked.connect(self._change_active)
-        form.meshes.toggled.connect(self._show_meshes)
+        connect(form.kind, "currentIndexChanged(int)", self._change_propagation)
+        connect(form.levels, "valueChanged(int)", self._change_propagation)
+        connect(form.smoothness, "valueChanged(double)", self._change_propagation)
+        connect(form.unheld, "activated(int)", self._change_unheld)
+        connect(form.tree, "itemSelectionChanged()", self._choose)
+        connect(form.mode, "activated(int)", self._change_mode)
+        connect(form.primary, "clicked()", self._make_primary)
+        connect(form.type, "activated(int)", self._change_type)
+        connect(form.active, "clicked()", self._change_active)
+        connect(form.meshes, "toggled(bool)", self._show_meshes)

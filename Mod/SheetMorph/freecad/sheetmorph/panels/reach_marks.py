@@ -3,7 +3,7 @@
 
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.base import say
-from freecad.sheetmorph.qt import QtCore, QtGui, translate
+from freecad.sheetmorph.qt import QtCore, QtGui, connect, translate
 from freecad.sheetmorph.tools import studies, words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 from freecad.sheetmorph.tools.motion import Motion
@@ -38,7 +38,7 @@ class ReachMarks(QtCore.QObject):
         self._form, self._criteria, self._ask = form, criteria, ask
         self._number, self._value, self._reached = None, 0.0, None
         self._calm = QtCore.QTimer(self, singleShot=True, interval=CALM)
-        self._calm.timeout.connect(self._look)
+        connect(self._calm, "timeout()", self._look)
         form.reach_text.setFixedHeight(2 * form.fontMetrics().lineSpacing())
         form.reach_text.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
         self._show()

@@ -4,7 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.bridge import kernel
-from freecad.sheetmorph.qt import QtGui, QtWidgets, translate
+from freecad.sheetmorph.qt import QtGui, QtWidgets, connect, translate
 from freecad.sheetmorph.scene import drawing
 
 
@@ -23,8 +23,8 @@ def show() -> None:
         translate("SheetMorph_CheckInstallation", "Copy"), QtWidgets.QDialogButtonBox.ActionRole
     )
     clipboard = QtWidgets.QApplication.clipboard()
-    copy.clicked.connect(lambda: clipboard.setText(text.toPlainText()))
-    buttons.rejected.connect(dialog.reject)
+    connect(copy, "clicked()", lambda: clipboard.setText(text.toPlainText()))
+    connect(buttons, "rejected()", dialog.reject)
     column = QtWidgets.QVBoxLayout(dialog)
     column.addWidget(text)
     column.addWidget(buttons)

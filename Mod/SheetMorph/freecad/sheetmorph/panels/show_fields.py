@@ -4,7 +4,7 @@
 from freecad.sheetmorph import preferences
 from freecad.sheetmorph.panels.histogram import histogram_picture
 from freecad.sheetmorph.panels.scale import gradient
-from freecad.sheetmorph.qt import translate
+from freecad.sheetmorph.qt import connect, translate
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 
@@ -44,13 +44,13 @@ class ShowFields:
         }
         for entry, box in self._boxes.items():
             box.setChecked(preferences.get(entry))
-            box.toggled.connect(lambda is_on, of=entry: self._toggle(of, is_on))
+            connect(box, "toggled(bool)", lambda is_on, of=entry: self._toggle(of, is_on))
         if has_elements:
             form.colours.addItems([translate("SheetMorph_panels", title) for title in ELEMENTS])
         form.colours.setCurrentIndex(preferences.get("ShowColours"))
         if form.colours.currentIndex() < 0:  # what it says is for decks
             form.colours.setCurrentIndex(0)
-        form.colours.currentIndexChanged.connect(self._colour)
+        connect(form.colours, "currentIndexChanged(int)", self._colour)
         form.scale.setPixmap(gradient())
         form.scale_text.setFixedHeight(2 * form.fontMetrics().lineSpacing())
         self.tell()

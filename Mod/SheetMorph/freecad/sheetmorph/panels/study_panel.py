@@ -11,7 +11,7 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects.study import kept_parameters, kept_results
 from freecad.sheetmorph.panels import study_table
 from freecad.sheetmorph.panels.base import Panel, say
-from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, translate
 from freecad.sheetmorph.tools.studies import ANGLE, LENGTH, METHODS, unused
 
 HEIGHTS = {"parameters": 88, "results": 220}  # px: of tables, at least
@@ -44,7 +44,7 @@ class StudyPanel(Panel):
         self._running = None
         self._run = None
         self._look = QtCore.QTimer(self.form, interval=LOOK)
-        self._look.timeout.connect(self._watch)
+        connect(self._look, "timeout()", self._watch)
         session.ending.connect(self._look.stop)
         session.at_end(self._end_run)
         session.changed.connect(self._follow)
@@ -283,12 +283,12 @@ class StudyPanel(Panel):
         study_table.prepare(form.parameters, heads, study_table.WHAT)
         for table, height in HEIGHTS.items():
             reserve(getattr(form, table), height)
-        form.add.clicked.connect(self._add)
-        form.remove.clicked.connect(self._remove)
-        form.browse.clicked.connect(self._choose_folder)
-        form.run.clicked.connect(self._start)
-        form.stop.clicked.connect(self._stop)
-        form.results.cellDoubleClicked.connect(self._apply)
+        connect(form.add, "clicked()", self._add)
+        connect(form.remove, "clicked()", self._remove)
+        connect(form.browse, "clicked()", self._choose_folder)
+        connect(form.run, "clicked()", self._start)
+        connect(form.stop, "clicked()", self._stop)
+        connect(form.results, "cellDoubleClicked(int,int)", self._apply)
         say(form.message, "")
 
 

@@ -9,7 +9,7 @@ from freecad.sheetmorph.objects import assembly_of
 from freecad.sheetmorph.panels import keeping
 from freecad.sheetmorph.panels.base import Panel, chip, say
 from freecad.sheetmorph.panels.scale import gradient
-from freecad.sheetmorph.qt import QtWidgets, number, translate
+from freecad.sheetmorph.qt import QtWidgets, connect, number, translate
 from freecad.sheetmorph.scene.value_map import ValueMap
 from freecad.sheetmorph.tools import colour_scale, words
 
@@ -28,8 +28,8 @@ class ThicknessPanel(Panel):
         self._part = part
         self._solid, self._reason = api.thin_solid(part)
         self.form.bend.setChecked(part.Thin != "no")
-        self.form.bend.toggled.connect(self._switch)
-        self.form.mark.clicked.connect(self._mark)
+        connect(self.form.bend, "toggled(bool)", self._switch)
+        connect(self.form.mark, "clicked()", self._mark)
         session.changed.connect(self._show_switch)
         self._fill()
 

@@ -5,6 +5,8 @@
 class Relay:
     """Calls a function until ``let_go``; then whoever still has the relay has nothing else."""
 
+    __slots__ = ("_function",)  # what is kept for ever is small
+
     def __init__(self, function):
         self._function = function
 

@@ -7,7 +7,7 @@ from freecad.sheetmorph import actions, paths
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.guide import Guide
-from freecad.sheetmorph.qt import icon_of, translate
+from freecad.sheetmorph.qt import connect, icon_of, translate
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 USED = QT_TRANSLATE_NOOP("SheetMorph_menus", "Do Not Use Contact")
@@ -188,5 +188,5 @@ def add_region_actions(menu, region) -> None:
 
 def _add(menu, icon: str, text: str, action):
     entry = menu.addAction(icon_of(paths.icon(icon)), translate("SheetMorph_menus", text))
-    entry.triggered.connect(lambda *_: action())
+    connect(entry, "triggered()", lambda *_: action())
     return entry
