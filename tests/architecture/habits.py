@@ -59,6 +59,27 @@ def signals_read(text: str) -> list[str]:
     ]
 
 
+def wrong_slots(text: str) -> list[str]:
+    """Methods connected to a signal that sends fewer or more values than they take.
+
+    Qt reports such a call in the report view only, and the widget appears to do nothing.
+    """
+    tree, faults = ast.parse(text), []
+    methods = {n.name: n.args for n in ast.walk(tree) if isinstance(n, ast.FunctionDef)}
+    for call in ast.walk(tree):
+        match call:
+            case ast.Call(
+                func=ast.Name(id="connect"),
+                args=[_, ast.Constant(value=str(signal)), ast.Attribute(attr=name)],
+            ) if name in methods:
+                sent = len(re.findall(r"\w+", signal)) - 1
+                most = len(methods[name].args) - 1  # without self
+                fewest = most - len(methods[name].defaults)
+                if sent < fewest or (sent > most and methods[name].vararg is None):
+                    faults.append(f"line {call.lineno}: {signal} of {name}")
+    return faults
+
+
 def timed_waits(text: str) -> list[str]:
     """Waits of a GUI test for a time in place of a condition."""
     return [

@@ -40,6 +40,11 @@ def test_the_workbench_reads_no_signals_of_qt():
     assert below and faults_in(below, in_text(habits.signals_read)) == {}
 
 
+def test_a_method_takes_the_values_that_its_signal_sends():
+    below = files(".py", below=ROOT / "Mod" / "SheetMorph")
+    assert faults_in(below, in_text(habits.wrong_slots)) == {}
+
+
 def test_cpp_tests_make_a_claim():
     assert faults_in(CPP_TESTS, in_text(habits.cpp_tests_without_claim)) == {}
 
@@ -69,6 +74,17 @@ def test_a_bad_python_habit_is_noticed(text):
 def test_a_signal_that_is_read_is_noticed():
     text = "def f(form):\n    form.reset.clicked.connect(f)\n    form.session.over.connect(f)\n"
     assert len(habits.signals_read(text)) == 1
+
+
+def test_a_wrong_slot_is_noticed():
+    methods = "class A:\n    def none(self): ...\n    def one(self, value): ...\n"
+    calls = 'connect(box, "{}", self.{})\n'
+    for signal, name in (("clicked()", "none"), ("clicked(bool)", "one")):
+        assert habits.wrong_slots(methods + calls.format(signal, name)) == []
+    for signal, name in (("clicked()", "one"), ("clicked(bool)", "none")):
+        assert habits.wrong_slots(methods + calls.format(signal, name)) == [
+            f"line 4: {signal} of {name}"
+        ]
 
 
 def test_a_wait_for_a_time_is_noticed():

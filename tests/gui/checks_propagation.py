@@ -52,6 +52,7 @@ def click_row(text: str):
     place = tree.visualItemRect(rows()[text]).center()
     middle = tree.viewport().mapToGlobal(place)
     yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
+    yield from until(lambda: rows()[text].isSelected(), f"row {text} to be selected")
     yield from settled()
 
 

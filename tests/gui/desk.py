@@ -263,7 +263,9 @@ def tick(box):
     yield from within_reach(box)
     assert box.isVisible() and box.isEnabled(), box.objectName()
     place = box.mapToGlobal(QtCore.QPoint(20, box.height() // 2))
+    was_checked = box.isChecked()
     yield from xdotool("mousemove", place.x(), place.y(), "click", 1)
+    yield from until(lambda: box.isChecked() != was_checked, f"the click on {box.objectName()}")
     yield from settled()
 
 
@@ -282,11 +284,21 @@ def choose_below(combo, steps: int):
 
     Of a property FreeCAD 1.1 opens it by itself.
     """
-    if not combo.view().isVisible():
+    name, entries = combo.objectName(), combo.view()
+    if not entries.isVisible():
         yield from click_widget(combo)
-    yield from until(combo.view().isVisible, f"the list of {combo.objectName()} to open")
+    yield from until(entries.isVisible, f"the list of {name} to open")
     yield from xdotool("key", *["Down" if steps > 0 else "Up"] * abs(steps), "Return")
+    yield from until(lambda: is_gone(entries), f"the list of {name} to close")
     yield from settled()
+
+
+def is_gone(widget) -> bool:
+    """Whether a widget is hidden or deleted."""
+    try:
+        return not widget.isVisible()
+    except RuntimeError:
+        return True
 
 
 def press(text: str, waits=done):

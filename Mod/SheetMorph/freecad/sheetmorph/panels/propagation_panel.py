@@ -247,5 +247,5 @@ class PropagationPanel(Panel):
         connect(form.mode, "activated(int)", self._change_mode)
         connect(form.primary, "clicked()", self._make_primary)
         connect(form.type, "activated(int)", self._change_type)
-        connect(form.active, "clicked()", self._change_active)
+        connect(form.active, "clicked(bool)", self._change_active)
         connect(form.meshes, "toggled(bool)", self._show_meshes)
