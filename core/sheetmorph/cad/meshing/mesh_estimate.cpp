@@ -157,7 +157,7 @@ void MeshEstimate::check(const CadMeshing& meshing) const
     const double unit = std::pow(10.0, std::floor(std::log10(size)));
     const std::string enough = short_number(std::ceil(size / unit) * unit) + " mm";
     throw InvalidInput(what + " would need " + short_number(needed / 1e6)
-                           + " million triangles, more than the limit of "
+                           + " million triangles, the limit is "
                            + short_number(most_triangles / 1e6) + " million",
                        is_edge    ? "give a longer edge, about " + enough
                        : is_angle ? "give a larger one"
