@@ -27,7 +27,13 @@ std::int64_t excluded()
 
 void limit_instructions()
 {
-    [[maybe_unused]] static const bool is_limited = (hwy::DisableTargets(excluded()), true);
+    [[maybe_unused]] static const bool is_limited = []
+    {
+        // Other users of the library in this process keep their limits.
+        if (excluded() != 0)
+            hwy::DisableTargets(excluded());
+        return true;
+    }();
 }
 
 }  // namespace sheetmorph
