@@ -18,6 +18,7 @@ PLACES = {
     "resources": "resources",
     "package.xml": "package.xml",
     "README.md": "README.md",
+    "CONTRIBUTING.md": "CONTRIBUTING.md",
     "CHANGELOG.md": "CHANGELOG.md",
     "LICENSE": "LICENSE",
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/base/rates.h"
 #include "sheetmorph/base/rigid_motion.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
@@ -37,7 +36,6 @@ void bind_errors(py::module_& module)
     py::register_exception<InvalidInput>(module, "InvalidInput", PyExc_ValueError);
     py::register_exception<SolverError>(module, "SolverError", PyExc_RuntimeError);
     py::register_exception_translator(translate_errors);
-    py::register_exception<NoDerivative>(module, "NoDerivative", PyExc_RuntimeError);
     py::register_exception<Cancelled>(module, "Cancelled", PyExc_RuntimeError);
     module.def(
         "without_traceback", &without_traceback, py::arg("method"),

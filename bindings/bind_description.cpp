@@ -242,38 +242,6 @@ void bind_pose(py::module_& module)
             py::arg("rotation_log") = py::make_tuple(0.0, 0.0, 0.0));
 }
 
-void bind_pose_rate(py::module_& module)
-{
-    py::class_<PoseRate>(module, "PoseRate",
-                         "How a Pose changes along one direction; what is left out does not.")
-        .def(py::init<>())
-        .def(
-            "move_handle",
-            [](PoseRate& rate, const std::string& name, const RigidMotion& motion) {
-                rate.handles[name] = {motion.translation, motion.rotation_log, motion.pivot,
-                                      Vector3::Zero()};
-            },
-            py::arg("name"), py::arg("motion"),
-            "the rates of translation, rotation log and pivot, as a RigidMotion")
-        .def(
-            "turn_feature",
-            [](PoseRate& rate, const std::string& name, const py::object& log)
-            { rate.feature_logs[name] = vector_from(log, "rotation_log"); },
-            py::arg("name"), py::arg("rotation_log"))
-        .def(
-            "size_feature",
-            [](PoseRate& rate, const std::string& name, double size) { rate.sizes[name] = size; },
-            py::arg("name"), py::arg("size"))
-        .def(
-            "place_point",
-            [](PoseRate& rate, const std::string& name, const py::object& target,
-               const py::object& log) {
-                rate.points[name] = {vector_from(target, "target"),
-                                     vector_from(log, "rotation_log")};
-            },
-            py::arg("name"), py::arg("target"), py::arg("rotation_log"));
-}
-
 }  // namespace
 
 void bind_description(py::module_& module)
@@ -284,7 +252,6 @@ void bind_description(py::module_& module)
     bind_contacts(module);
     bind_whole(module);
     bind_pose(module);
-    bind_pose_rate(module);
 }
 
 }  // namespace sheetmorph

@@ -153,24 +153,6 @@ Deformed deform(const DeformationSession& session, const Pose& pose, bool exact,
     return session.deform(copy, exact ? Exactness::exact : Exactness::live, work.progress());
 }
 
-// By direction, by part.
-std::vector<std::vector<py::array_t<double>>> rates(const DeformationSession& session,
-                                                    const Pose& pose,
-                                                    const std::vector<PoseRate>& directions)
-{
-    std::vector<std::vector<Points>> found;
-    const Pose copy(pose);
-    {
-        const LongWork work;
-        found = session.rates(copy, directions);
-    }
-    std::vector<std::vector<py::array_t<double>>> arrays(found.size());
-    for (std::size_t k = 0; k < found.size(); ++k)
-        for (Points& part : found[k])
-            arrays[k].push_back(to_numpy(std::move(part)));
-    return arrays;
-}
-
 // The array of a frame holds it, so that its memory is not used again before.
 std::shared_ptr<Deformed> frame(LiveDrag& drag, const Pose& pose)
 {
@@ -274,17 +256,14 @@ void bind_union(py::class_<DeformationSession>& session)
              "Whether a fixed region holds a part, its own or through rigid contacts.");
 }
 
-// Poses, and how their answers change with them.
+// Poses and their answers.
 void bind_answers(py::class_<DeformationSession>& session)
 {
-    session
-        .def("deform", &deform, py::arg("pose"), py::arg("exact") = true,
-             py::arg("progress") = py::none(),
-             "Every part in one pose, always from rest. progress(fraction, task): return False to "
-             "cancel (raises Cancelled).")
-        .def("rates", &rates, py::arg("pose"), py::arg("directions"),
-             "How the exact positions change along PoseRates: by direction and part (n, 3) "
-             "float64. Raises NoDerivative where the answer is not differentiated.");
+    session.def(
+        "deform", &deform, py::arg("pose"), py::arg("exact") = true,
+        py::arg("progress") = py::none(),
+        "Every part in one pose, always from rest. progress(fraction, task): return False to "
+        "cancel (raises Cancelled).");
 }
 
 }  // namespace

@@ -113,6 +113,17 @@ class Suites:
             self.build / "sanitize" / "thread", "sanitize-threads", **THREAD_SANITIZER
         )
 
+    def compilers(self) -> Count:
+        """The C++ tests built by other compilers and for other systems, run in emulators."""
+        total = Count()
+        for preset in ("gcc", "clang", "aarch64", "mingw"):
+            count = self._ctest(
+                self.build / "compilers" / preset, f"compilers-{preset}", **{SLOW: "1"}
+            )
+            print(f"NOTE {preset}: {count.passed} passed, {count.failed} failed")
+            total += count
+        return total
+
     def cases(self) -> Count:
         """Inputs on which the program once failed, each with its right result."""
         return self._pytest("cases", ["tests/cases"], self.staged)
@@ -411,7 +422,7 @@ def main(arguments: list[str]) -> int:
     """Runs the suites; 1 if anything failed."""
     default = ["core", "python", "cases", "workbench", "gui", "style"]
     names = [*default, "tidy", "scale", "pictures", "real", "sanitize", "slurm", "vandal"]
-    names += ["decks", "fuzz", "million", "shapes", "mutants"]
+    names += ["decks", "fuzz", "million", "shapes", "mutants", "compilers"]
     parser = argparse.ArgumentParser(prog="./sheetmorph test", description="Runs the tests.")
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("suites", nargs="*", metavar="SUITE", help="of: " + ", ".join(names))

@@ -11,6 +11,11 @@ LEFT_OPEN = re.compile(
 UNFINISHED = "NotImplemented" + "Error"
 CPP_TEST = re.compile(r"^(?:TYPED_)?TEST(?:_[FP])?\((\w+),\s*(\w+)\)\n\{\n(.*?)^\}", re.M | re.S)
 CPP_CLAIM = re.compile(r"\b(EXPECT|ASSERT|FAIL|ADD_FAILURE|expect|check|assert)\w*\s*\(")
+QT_SIGNALS = set(
+    "activated canceled cellDoubleClicked cellEntered clicked currentIndexChanged"
+    " currentTextChanged editingFinished itemChanged itemSelectionChanged rejected"
+    " returnPressed textChanged textEdited timeout toggled triggered valueChanged".split()
+)
 PYTHON_CLAIM = re.compile(r"^(assert|expect|check|raises|warns|fail)", re.IGNORECASE)
 
 
@@ -40,6 +45,18 @@ def python_faults(text: str) -> list[str]:
         if isinstance(node, ast.ImportFrom) and "runtime_checkable" in (n.name for n in node.names):
             faults.append(f"line {line}: a protocol that is asked at run time")
     return faults
+
+
+def signals_read(text: str) -> list[str]:
+    """Signals of Qt's objects that are read as attributes: PySide2 never frees their wrappers."""
+    return [
+        f"line {node.lineno}: qt.connect() instead of {node.value.attr}.{node.attr}()"
+        for node in ast.walk(ast.parse(text))
+        if isinstance(node, ast.Attribute)
+        and node.attr in ("connect", "disconnect", "emit")
+        and isinstance(node.value, ast.Attribute)
+        and node.value.attr in QT_SIGNALS
+    ]
 
 
 def timed_waits(text: str) -> list[str]:

@@ -8,7 +8,7 @@ import ast
 from pathlib import Path
 
 Graph = dict[str, set[str]]
-COMPILED = {"_core", "_cad", "_coin"}  # they import nothing of the package
+COMPILED = {"_core", "_coin"}  # they import nothing of the package
 
 
 def module_name(path: Path, root: Path) -> str:

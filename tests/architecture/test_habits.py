@@ -35,6 +35,11 @@ def test_gui_tests_wait_for_conditions():
     assert below and faults_in(below, in_text(habits.timed_waits)) == {}
 
 
+def test_the_workbench_reads_no_signals_of_qt():
+    below = files(".py", below=ROOT / "Mod" / "SheetMorph")
+    assert below and faults_in(below, in_text(habits.signals_read)) == {}
+
+
 def test_cpp_tests_make_a_claim():
     assert faults_in(CPP_TESTS, in_text(habits.cpp_tests_without_claim)) == {}
 
@@ -59,6 +64,11 @@ def test_work_left_open_is_noticed():
 )
 def test_a_bad_python_habit_is_noticed(text):
     assert len(habits.python_faults(text)) == 1
+
+
+def test_a_signal_that_is_read_is_noticed():
+    text = "def f(form):\n    form.reset.clicked.connect(f)\n    form.session.over.connect(f)\n"
+    assert len(habits.signals_read(text)) == 1
 
 
 def test_a_wait_for_a_time_is_noticed():

@@ -9,7 +9,7 @@ from source_tree import IGNORED, ROOT, WORKBENCH, is_ignored
 
 TOP_LEVEL = {
     *("CMakeLists.txt", "README.md", "LICENSE", "CHANGELOG.md", "CMakePresets.json", "package.xml"),
-    "pyproject.toml",
+    *("CONTRIBUTING.md", "pyproject.toml"),
     *("sheetmorph", "core", "bindings", "Mod", "resources", "tests"),
 }
 
@@ -80,9 +80,22 @@ def test_the_entry_script_answers(arguments, code, word):
     assert word in done.stdout + done.stderr
 
 
-def test_the_readme_names_only_what_exists():
-    text = (ROOT / "README.md").read_text()
+@pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md"])
+def test_a_page_at_the_top_names_only_what_exists(page):
+    text = (ROOT / page).read_text()
     named = re.findall(r"\b(?:resources|core|bindings|tests|Mod)/[\w./-]+", text)
-    named = [name.rstrip(".") for name in named]
-    assert len(named) > 5
-    assert [name for name in named if not (ROOT / name).exists()] == []
+    named += re.findall(r"\]\(([^):#]+)\)", text)
+    assert len(named) > 3
+    assert [name for name in named if not (ROOT / name.rstrip(".")).exists()] == []
+
+
+@pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md"])
+def test_a_page_at_the_top_names_only_commands_that_exist(page):
+    named = re.findall(r"^\./sheetmorph (\w+)", (ROOT / page).read_text(), re.MULTILINE)
+    commands = re.findall(r"^  (\w+) ", (ROOT / "sheetmorph").read_text(), re.MULTILINE)
+    assert len(named) > 1
+    assert set(named) <= set(commands)
+
+
+def test_the_readme_fits_one_screen():
+    assert len((ROOT / "README.md").read_text().split()) < 500

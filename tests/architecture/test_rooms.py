@@ -15,6 +15,7 @@ from rooms import (
 from source_tree import BINDINGS, KERNEL, ROOT, files, label
 
 TESTS = ROOT / "tests" / "core"
+PAGE = ROOT / "resources" / "docs" / "contributing" / "architecture.md"
 KERNEL_SOURCES = files(".h", ".cpp", below=KERNEL)
 
 
@@ -32,11 +33,11 @@ def test_a_test_lies_where_its_source_does():
     assert [label(test) for test in tests if is_misplaced(test, TESTS, KERNEL)] == []
 
 
-def test_the_readme_tells_the_layers_and_their_rooms():
-    assert rooms_told((ROOT / "README.md").read_text()) == rooms_on_disk(KERNEL)
+def test_the_manual_lists_the_layers_and_their_rooms():
+    assert rooms_told(PAGE.read_text()) == rooms_on_disk(KERNEL)
 
 
-def test_a_room_that_the_readme_leaves_out_is_noticed(tmp_path):
+def test_a_room_that_the_page_leaves_out_is_noticed(tmp_path):
     (tmp_path / "mesh" / "quality").mkdir(parents=True)
     (tmp_path / "base").mkdir()
     table = "| layer | what | its rooms |\n|---|---|---|\n| `base` | a | |\n| `mesh` | b | ROOM |\n"

@@ -37,7 +37,8 @@ def test_a_long_file_is_noticed(tmp_path):
 
 
 def test_a_long_python_function_is_noticed():
-    text = "class A:\n    def f(self, a):\n" + "        a += 1\n" * 40 + "        return a\n"
+    head = 'class A:\n    def f(self, a):\n        """Adds.\n\n        Nothing else."""\n'
+    text = head + "        a += 1\n" * 40 + "        return a\n"
     (function,) = python_functions(text)
     assert (function.lines, function.parameters) == (42, 1)
     assert function.faults() == ["line 2: f has 42 lines"]

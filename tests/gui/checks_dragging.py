@@ -110,6 +110,7 @@ def test_escape_takes_a_drag_back_and_the_panel_stays():
     start = yield from grab_up_arrow((3.0, 0.0, 0.0))
     yield from drag_up(start)
     yield from xdotool("mouseup", 1)
+    yield from settled()
     assert child("translation_z").value() > 3.0
     yield from press("Cancel")
     assert np.array_equal(stored(), rest)
@@ -271,6 +272,7 @@ def test_a_point_is_dragged_in_the_plane_of_the_view():
     sight = np.array(tuple(Gui.activeDocument().activeView().getViewDirection()))
     yield from until(lambda: largest(drawn() - rest) > 5, "the point")
     yield from xdotool("mouseup", 1)
+    yield from settled()
     shown = regions("handle")[1]
     assert shown.Label == "Point on sheet morphed"
     yield from press("OK")

@@ -204,6 +204,7 @@ def test_escape_ends_a_figure_and_enter_is_ok():
     picture("picking-drawing")
     yield from xdotool("key", "Escape")
     yield from xdotool("mouseup", 1)
+    yield from settled()
     assert Gui.Control.activeDialog() and "Nothing" in child("count").text()
     yield from draw_along(ring(100, 45, 8))
     assert "nothing" not in child("count").text()

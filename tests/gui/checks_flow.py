@@ -80,7 +80,6 @@ def draw_region(part, command: str, tool: str, figure: list):
     yield from click_widget(child(tool))
     yield from tick(child("through"))
     yield from draw_along(figure)
-    yield from settled()
     assert "Picked" in child("count").text(), (command, child("count").text())
     picture(f"flow-{tool}")
     yield from press("OK")
@@ -126,6 +125,7 @@ def pull_arrow_up(pixels: int = 48):
     for step in range(12, pixels + 1, 12):
         yield from xdotool("mousemove", x, y - 30 - step)
     yield from xdotool("mouseup", 1)
+    yield from settled()
     assert child("translation_z").value() > before + 1.0, "the arrow was not dragged"
 
 

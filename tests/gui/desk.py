@@ -258,11 +258,13 @@ def has_menu(button) -> bool:
 
 
 def tick(box):
-    """Clicks a check box where its text is; beside it a click does nothing."""
+    """Clicks a check box where its text is, as beside it a click does nothing; waits for all that
+    follows."""
     yield from within_reach(box)
     assert box.isVisible() and box.isEnabled(), box.objectName()
     place = box.mapToGlobal(QtCore.QPoint(20, box.height() // 2))
     yield from xdotool("mousemove", place.x(), place.y(), "click", 1)
+    yield from settled()
 
 
 def enter(field, text: str):
@@ -275,7 +277,8 @@ def enter(field, text: str):
 
 
 def choose_below(combo, steps: int):
-    """Opens a combo box with the mouse and goes so many entries down, or up if negative.
+    """Opens a combo box with the mouse and goes so many entries down, or up if negative; waits for
+    all that follows.
 
     Of a property FreeCAD 1.1 opens it by itself.
     """
@@ -283,7 +286,7 @@ def choose_below(combo, steps: int):
         yield from click_widget(combo)
     yield from until(combo.view().isVisible, f"the list of {combo.objectName()} to open")
     yield from xdotool("key", *["Down" if steps > 0 else "Up"] * abs(steps), "Return")
-    yield from laid_out()
+    yield from settled()
 
 
 def press(text: str, waits=done):
@@ -368,7 +371,8 @@ def activate():
 
 
 def draw_along(points, key: str = ""):
-    """Drags with the left button from place to place, (x, y, z) global mm, a modifier key down."""
+    """Drags with the left button from place to place, (x, y, z) global mm, a modifier key
+    down; waits for all that follows."""
     places = [on_screen(point) for point in points]
     yield from xdotool("mousemove", *places[0])
     if key:
@@ -384,6 +388,7 @@ def draw_along(points, key: str = ""):
     yield from xdotool("mouseup", 1)
     if key:
         yield from xdotool("keyup", key)
+    yield from settled()
 
 
 def colour_at(point) -> tuple[int, int, int]:

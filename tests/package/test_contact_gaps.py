@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from plates import plate, recipe_of, write_plate
 from sheetmorph import PartMesh, Session, read_part, run
 from sheetmorph.certifying import NotCertified, certify, read_criteria
 from sheetmorph.cli_table import ending_of
+from sheetmorph.gaps import Surface
 
 PART = plate(holes=2, cells=3)
 KINDS = ("control mesh", "tied", "rigid")
@@ -90,6 +92,20 @@ def test_the_gap_is_that_of_a_measure_by_brute_force(kind: str, way: str):
         expected = gap_change(recipe, rest, result.positions, PART.triangles)
         assert contact.gap_change == pytest.approx(expected, rel=1e-9, abs=1e-12)
         assert result.report()["contacts"][0]["gap_change"] == contact.gap_change
+
+
+def test_a_session_keeps_gaps_at_rest_and_no_search_trees():
+    recipe, shift = drawn_recipe(np.random.default_rng(3), "tied", "local")
+    meshes = {
+        "plate": PartMesh(PART.points, PART.triangles),
+        "lid": PartMesh(PART.points + shift, PART.triangles),
+    }
+    session = Session(recipe, meshes)
+    first, again = (session.deform().contacts[0].gap_change for _ in range(2))
+    assert first == again > 0.0
+    gap = session.contact_gap("weld")
+    assert gap is session.contact_gap("weld")
+    assert not [one for one in gc.get_objects() if isinstance(one, Surface)]
 
 
 def certificate(recipe: Path, folder: Path) -> dict:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """SheetMorph without FreeCAD: recipes, mesh files, deformation, report.
 
-The compiled kernel ``sheetmorph._core`` is loaded by the first Session, so files and recipes can be
-read and checked without it.
+The first Session loads the compiled kernel ``sheetmorph._core``. Code that only reads or checks
+files and recipes works without it.
 """
 
 from .cautions import open_contacts

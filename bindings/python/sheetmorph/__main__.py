@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""python3 -m sheetmorph"""
+"""Entry point of python3 -m sheetmorph."""
 
 import sys
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a diagnosis means for the person: one sentence a finding, and the cure it offers."""
+"""Findings of a mesh diagnosis: one sentence for each, and the cure that it offers."""
 
 from __future__ import annotations
 
@@ -9,19 +9,20 @@ from typing import Any
 from .file_unit import AS_GIVEN
 from .words import counted, either
 
-# Shares of the longest edge from which the mesh is too coarse to bend round its features.
+# Share of the size of the mesh. With longer edges the mesh is too coarse to bend around features.
 _COARSE = 0.05
-# Of the triangles, %: fewer slivers that do not fold are no reason to give up the file's own mesh.
+# Percent of the triangles. Fewer slivers that do not fold do not justify a new mesh.
 _MANY_SLIVERS = 5.0
-# Keys of a part that leave a deck a deck.
+# Part keys with which a deck is still written as a deck.
 _OF_DECKS = frozenset(("split",))
 
 
 def findings_of(diagnosis: dict[str, Any]) -> list[dict[str, Any]]:
-    """The findings, what matters most first: finding, count, text, cure, recipe.
+    """Return the findings of a diagnosis, the most important kind first.
 
-    cure: "weld", "orient", "remesh", "thin", "split", "scale" or None if there is none or none is
-    needed; recipe: the keys of a part in a recipe that ask for it, None if it has no key.
+    Each finding has the keys finding, count, text, cure and recipe. The cure is "weld", "orient",
+    "remesh", "thin", "split", "scale" or None. The recipe holds the part keys that apply the cure,
+    or None.
     """
     found = [*_seams(diagnosis), *_facets(diagnosis), *_shape(diagnosis)]
     return [
@@ -31,13 +32,13 @@ def findings_of(diagnosis: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def missing_findings(missing: list[str]) -> list[dict[str, Any]]:
-    """The findings of a file that was not read whole; see PartFile.missing."""
+    """Return the findings for content that the reader skipped; see PartFile.missing."""
     keys = {"finding": "not read whole", "count": 1, "cure": None, "recipe": None}
     return [{**keys, "text": text} for text in missing]
 
 
 def for_deck(findings: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """The same without cures that make another mesh: what is written of a deck is the deck."""
+    """Return the findings of a deck, without cures that need a new mesh."""
     return [
         finding
         if set(finding["recipe"] or ()) <= _OF_DECKS and finding["cure"] != "orient"
@@ -47,7 +48,7 @@ def for_deck(findings: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 
 def part_entry(findings: list[dict[str, Any]]) -> dict[str, Any]:
-    """The keys of all cures together, as one part of a recipe has them."""
+    """Return the part keys that apply all cures together."""
     entry: dict[str, Any] = {}
     for finding in findings:
         entry |= finding["recipe"] or {}
@@ -89,7 +90,7 @@ def _seams(diagnosis: dict[str, Any]) -> Iterator[_Found]:
 
 
 def _in_mm(diagnosis: dict[str, Any], recipe: dict[str, Any]) -> dict[str, Any]:
-    """Keys of a recipe with lengths in the unit of the file, as the recipe has them: in mm."""
+    """Convert the lengths of part keys from the unit of the file to mm."""
     scale = diagnosis["unit"]["scale"]
     if scale == 1.0:
         return recipe
@@ -126,7 +127,7 @@ def _facets(diagnosis: dict[str, Any]) -> Iterator[_Found]:
 
 
 def unit_word(diagnosis: dict[str, Any]) -> str:
-    """What to write behind a length of the file."""
+    """Return the unit to print after a length of the file."""
     guess: str = diagnosis["unit"]["guess"]
     return "units" if guess == "unknown" else guess
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A morph in one pose, without what reports make of it."""
+"""A morph in one pose, without the figures of the report."""
 
 from __future__ import annotations
 
@@ -24,13 +24,23 @@ Measured = TypeVar("Measured")
 
 @dataclass(frozen=True, eq=False)
 class Answer:
-    """All parts in one pose; what Session.deform() returns is one that also reports.
+    """All parts in one pose; the base of the Result of Session.deform(), which adds the report.
 
-    positions: part name -> (n, 3) float64 mm, read-only; spread: the largest distance between two
-    places where contacts want one vertex, mm, 0 if not exact;
-    deformed: the kernel's own result; previews: parts that an exact answer refines besides, so that
-    it may differ; unsettled: part name -> what was not solved to its end, and how far it got;
-    repairs: of parts of decks, whose nodes slid after they were solved.
+    Attributes
+    ----------
+    positions : dict
+        Part name to deformed vertices, (n, 3) float64, mm, read-only.
+    spread : float
+        Largest distance between two targets that contacts give one vertex, mm; 0 if the answer is
+        not exact.
+    deformed : _core.Deformed
+        Result of the kernel.
+    previews : tuple of str
+        Parts that an exact answer refines further, so their positions may still change.
+    unsettled : dict
+        Part name to a sentence about a solve that did not converge.
+    repairs : list of dict
+        Element repairs in decks: nodes that slid in the sheet after the solve.
     """
 
     session: Preprocessed
@@ -41,7 +51,7 @@ class Answer:
     previews: tuple[str, ...] = ()
     unsettled: dict[str, str] = field(default_factory=dict)
     repairs: list[dict[str, Any]] = field(default_factory=list)
-    # An answer with other positions begins anew.
+    # Not an argument: dataclasses.replace() must start with an empty cache for new positions.
     _measured: dict[object, Any] = field(default_factory=dict, init=False)
 
     @cached_property
@@ -50,31 +60,31 @@ class Answer:
 
     @property
     def features(self) -> list[FeatureResult]:
-        """How every form feature of the recipe moved; few who drag ask."""
+        """Motion of every form feature of the recipe, computed on demand."""
         return self._moved[: len(self._moved) - self.session.lump_count]
 
     @property
     def lumps(self) -> list[FeatureResult]:
-        """Where thin solids are not thin: each moved as a rigid feature."""
+        """Motion of the thick regions of thin solids, which move as rigid features."""
         return self._moved[len(self._moved) - self.session.lump_count :]
 
     @cached_property
     def contacts(self) -> list[ContactResult]:
-        """How well every contact was kept; empty if the answer is not exact."""
+        """Fidelity of every contact; empty if the answer is not exact."""
         return self.session.kept_contacts(self.deformed, self.positions)
 
     @property
     def sizes(self) -> dict[str, float]:
-        """The sizes that form features have in this pose, mm, by name; only those that are set."""
+        """Feature name to its size in this pose, mm; only features with a prescribed size."""
         return {one.name: one.size for one in self.features if one.size is not None}
 
     @cached_property
     def rest(self) -> RestShape:
-        """The shape that strains compare with: at rest, with the sizes of this pose."""
+        """Reference shape for strains: the rest shape with the feature sizes of this pose."""
         return self.session.rest_shape(self.sizes)
 
     def once(self, what: object, measure: Callable[[], Measured]) -> Measured:
-        """What is measured when it is first asked for, under a key; each gets a copy."""
+        """Return a copy of a measured value; measure it at the first call for its key."""
         if what not in self._measured:
             self._measured[what] = measure()
         found: Measured = deepcopy(self._measured[what])

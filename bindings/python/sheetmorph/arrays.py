@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What arrays hold, for annotations; of any shape."""
+"""Array types for annotations; they state the scalar type, not the shape."""
 
 from collections.abc import Sequence
 from typing import Any

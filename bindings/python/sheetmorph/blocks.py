@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work on many rows block by block: what is made on the way stays small beside the rows."""
+"""Block-wise work on many rows, so that temporary arrays stay small."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ import numpy as np
 
 from .arrays import Floats
 
-# Rows that are worked on at once.
+# Rows in a block.
 CHUNK = 1 << 14
 
 
 def chunks(count: int) -> Iterator[slice]:
-    """Slices that cover 0 .. count."""
+    """Return slices that cover the rows 0 to count."""
     return (slice(at, min(at + CHUNK, count)) for at in range(0, count, CHUNK))
 
 
 def in_blocks(work: Callable[[slice], Floats], count: int) -> Floats:
-    """(count, ...) what work makes of slices that cover 0 .. count, put together."""
+    """Apply work to slices of the rows and return the joined result, (count, ...)."""
     first = work(slice(0, min(CHUNK, count)))
     if len(first) == count:
         return first

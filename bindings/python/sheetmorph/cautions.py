@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a morph does that is likely not wanted, and what to do; a strict run fails for it."""
+"""Warnings about results that the user probably does not want; a strict run fails on them."""
 
 from __future__ import annotations
 
@@ -21,16 +21,17 @@ from .words import at_place, counted, folds
 
 UNREACHED, OPEN_CONTACT = "unreached", "open contact"
 
-# How far a contact may open: of the gap at rest, of the region; below the last share it is nothing.
+# Limits for the gap change of a contact: a share of the gap at rest and a share of the region size.
+# A gap below the last share of the region size counts as zero.
 _OF_GAP, _OF_REGION, _NOTHING = 0.5, 0.1, 1e-3
-# From which a thickness changes too much, of the one at rest.
+# Relative change of thickness above which a warning follows.
 _THINNED = 0.1
-# From which an edge is stretched or pressed by too much: half its length.
+# Relative change of edge length above which a warning follows.
 _STRAIN = 0.5
 
 
 def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[Caution]:
-    """One sentence each, which knows its objects; parts: as the report tells them."""
+    """Return all warnings of a result; parts are the part entries of the report."""
     session = result.session
     return [
         *region_remarks(session),
@@ -48,7 +49,7 @@ def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[Caution]:
 
 
 def unsettled(parts: list[dict[str, Any]]) -> list[Caution]:
-    """A sentence for every part of a report whose solution did not converge."""
+    """Return a warning for every part entry of a report whose solve did not converge."""
     return [
         _of_part(
             part["name"],
@@ -60,7 +61,19 @@ def unsettled(parts: list[dict[str, Any]]) -> list[Caution]:
 
 
 def open_contacts(result: Answer) -> dict[str, Caution]:
-    """By the name of every contact that opens or closes too far: by what, and what to do."""
+    """Return a warning for every contact whose gap changes too much.
+
+    Parameters
+    ----------
+    result : Answer or Result
+        Exact result of ``Session.deform``.
+
+    Returns
+    -------
+    dict
+        Contact name to its Caution; the text gives the gap change and its limit in mm, and a
+        remedy.
+    """
     found = {}
     for contact in result.contacts:
         limit, of_what = _limit(result.session, contact)
@@ -90,7 +103,7 @@ def _todo(contact: ContactResult, model: Model) -> str:
 
 
 def _limit(session: Preprocessed, contact: ContactResult) -> tuple[float, str]:
-    """How far a contact may open, mm, and why no farther."""
+    """Return the admissible gap change of a contact, mm, and the reason for this limit."""
     region = contact.region_size
     limits = [(_OF_REGION * region, "a tenth of its region")]
     gap = session.contact_gap(contact.name).middle
@@ -134,7 +147,7 @@ def _unheld_primary(session: Preprocessed) -> Iterator[Caution]:
 
 
 def _lost_decks(session: Preprocessed) -> Iterator[Caution]:
-    """Decks of which a mesh is written, with their joints gone."""
+    """Warn about decks for which only a mesh is written, without their joints."""
     files = {part.file: part for part in session.model.parts if part.wanted and part.file}
     for file, part in files.items():
         if is_deck(unpacked_name(file)):
@@ -184,7 +197,7 @@ def _thinned(parts: list[dict[str, Any]]) -> Iterator[Caution]:
 
 
 def _misshapen(result: Answer, entry: dict[str, Any]) -> Iterator[Caution]:
-    """What a pose does to the mesh of a part; entry: as the report has it."""
+    """Warn about the mesh of a part in this pose; entry is its part entry in the report."""
     for text in _misshapes(result, entry):
         yield _of_part(entry["name"], text)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is measured of positions alone: whether form features kept their form, what crosses."""
+"""Measures that need positions only: rigidity of form features, and self-intersections."""
 
 from __future__ import annotations
 
@@ -14,18 +14,16 @@ from .part_mesh import PartMesh
 
 
 def tolerance(size: float, arrays: Iterable[Floats]) -> float:
-    """1e-12 size + 8 eps max|coordinate|, mm.
-
-    arrays: (n, 3) each, all positions at rest and deformed.
-    """
+    """Return 1e-12 size + 8 eps max|coordinate|, mm, over arrays (n, 3) of all positions."""
     largest = max((float(np.abs(array).max(initial=0.0)) for array in arrays), default=0.0)
     return 1e-12 * size + 8.0 * float(np.finfo(np.float64).eps) * largest
 
 
 def feature_edges(mesh: PartMesh, vertices: Ints) -> Ints:
-    """Edges (e, 2) of a form feature: the mesh's inside it, and each vertex with the first one.
+    """Return the edges (e, 2) of a form feature with the vertex indices (k,).
 
-    vertices (k,): indices. The latter so that loose vertices are looked at, too.
+    These are the mesh edges inside the feature, and one edge from its first vertex to every other.
+    The latter also cover vertices that no mesh edge connects.
     """
     inside = np.zeros(len(mesh.points), dtype=bool)
     inside[vertices] = True
@@ -38,17 +36,19 @@ def feature_edges(mesh: PartMesh, vertices: Ints) -> Ints:
 
 
 def best_turn(rest: Floats, positions: Floats, vertices: Ints) -> Floats | None:
-    """The rotation (3, 3) that carries vertices (k,) best, which a file alone tells; None if they
-    lie on a line."""
+    """Return the rotation (3, 3) of vertices (k,) that fits best, None if they are collinear.
+
+    It needs positions only, so that a written file can be certified.
+    """
     found = rigid_motion(rest[vertices], positions[vertices])
     return None if found is None else found[0]
 
 
 def edge_error(rest: Floats, positions: Floats, edges: Ints, rotation: Floats | None) -> float:
-    """Worst |p_i - p_j - R (p_hat_i - p_hat_j)| over edges (e, 2), mm (2.4).
+    """Return the worst |p_i - p_j - R (p_hat_i - p_hat_j)| over edges (e, 2), mm (2.4).
 
-    rest, positions: (n, 3), at rest with the sizes that form features have; rotation: (3, 3), None
-    to compare lengths alone.
+    The rest positions (n, 3) include the prescribed feature sizes. If the rotation (3, 3) is None,
+    only edge lengths are compared.
     """
     before = rest[edges[:, 0]] - rest[edges[:, 1]]
     after = positions[edges[:, 0]] - positions[edges[:, 1]]
@@ -59,11 +59,7 @@ def edge_error(rest: Floats, positions: Floats, edges: Ints, rotation: Floats | 
 
 
 def crossings(core: Any, points: Floats, triangles: Ints) -> Ints:
-    """Pairs (k, 2) of triangles (m, 3) on points (n, 3) that meet though no corner joins them, each
-    in order, ascending (CGAL).
-
-    core: the kernel module.
-    """
+    """Return sorted pairs (k, 2) of triangles (m, 3) that intersect but share no corner (CGAL)."""
     pairs = core.self_intersections(core.TriangleMesh(np.array(points), triangles))
     found: Ints = np.asarray(pairs, dtype=np.int64).reshape(-1, 2)
     return found

@@ -36,7 +36,11 @@ _POSE_HELP = "name of one of the recipe's poses, or JSON file with a pose, inste
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run a command; returns 0 done, 2 bad input, 3 no certificate (130 interrupted)."""
+    """Run a command and return its exit status.
+
+    The status is 0 if done, 2 for bad input, 3 for a failed certificate or run, and 130 if
+    interrupted.
+    """
     wanted = parser().parse_args(arguments)
     files = FileSet(wanted.command, force=getattr(wanted, "force", False))
     numbers = [number for number in stopping_signals() if number != signal.SIGINT]
@@ -48,7 +52,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt as stopped:
         _complain(f"interrupted; {str(stopped) or _state(files)}")
         return _INTERRUPTED
-    except Exception as error:  # the edge of the program: every error becomes a sentence
+    except Exception as error:  # This is the edge of the program: every error becomes a sentence.
         text, status = _explain(error, _input_of(wanted), files)
         if wanted.command == "certify" and wanted.json == STDOUT and hasattr(error, "certificate"):
             _say(as_json(error.certificate))
@@ -60,7 +64,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _deck_options(wanted: argparse.Namespace) -> contextlib.AbstractContextManager[None]:
-    """What decks are read with, if a command line says it."""
+    """Return the context that applies the `--keyword` option to decks."""
     if not getattr(wanted, "keyword", None):
         return contextlib.nullcontext()
     from .decks.dyna import assumed_options
@@ -85,7 +89,7 @@ def _state(files: FileSet) -> str:
 
 
 def _explain(error: Exception, recipe: str, files: FileSet) -> tuple[str, int]:
-    """What to tell about an error, and the exit status."""
+    """Return the message for an error and the exit status."""
     if isinstance(error, (RecipeError, FileError, KernelError)):
         return str(error), BAD_INPUT
     if isinstance(error, OSError):
@@ -93,9 +97,10 @@ def _explain(error: Exception, recipe: str, files: FileSet) -> tuple[str, int]:
         return f"{place}: {error.strerror or error}; check the path and its rights", BAD_INPUT
     if isinstance(error, MemoryError):
         return f"{recipe}: not enough memory; {_state(files)}", NOT_CERTIFIED
-    if getattr(error, "certificate", None) is not None:  # of files that were written before
+    # An earlier run wrote the files, so the message says nothing about writing.
+    if getattr(error, "certificate", None) is not None:
         return f"{recipe}: {error}", NOT_CERTIFIED
-    # The kernel's SolverError, or a certificate.
+    # The kernel's SolverError, or a certificate that failed.
     if isinstance(error, RuntimeError) and type(error).__module__.startswith("sheetmorph"):
         return f"{recipe}: {error}; {_state(files)}", NOT_CERTIFIED
     last = traceback.extract_tb(error.__traceback__)[-1]
@@ -106,7 +111,7 @@ def _explain(error: Exception, recipe: str, files: FileSet) -> tuple[str, int]:
 
 
 def _say(lines: list[str]) -> None:
-    """Print to stdout; that it is closed or full makes no success a failure."""
+    """Print to stdout; a closed or full stdout does not turn a success into a failure."""
     try:
         for line in lines:
             print(_printable(line, sys.stdout))
@@ -130,7 +135,7 @@ def _printable(text: str, stream: TextIO | None) -> str:
 
 
 def parser() -> argparse.ArgumentParser:
-    """The command line's arguments; manual page and completion are made from them."""
+    """Return the argument parser, from which manual page and shell completion are generated."""
     started = Path(sys.argv[0]).name
     parser = Parser(
         prog="python3 -m sheetmorph" if started == "__main__.py" else started,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command `certify`, and what `run --certify` does after a run."""
+"""The command `certify`, and the option `--certify` of `run` and `check`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ NAMES = ("certificate.json", "certificate.html")
 
 
 def add_certify_arguments(commands: Any, runs: Sequence[argparse.ArgumentParser]) -> None:
-    """Adds `certify` and `copy` to the commands of a parser, and options to `run` and `check`."""
+    """Add `certify` and `copy` to a parser, and the related options to `run` and `check`."""
     text = "a set (standard, crash, static) or a JSON file with criteria (default: standard)"
     add_copy_arguments(commands)
     for run in runs:
@@ -39,7 +39,7 @@ def add_certify_arguments(commands: Any, runs: Sequence[argparse.ArgumentParser]
 
 
 def run_certify(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    """Certify; returns what to print. Raises NotCertified."""
+    """Certify and return the lines to print. Raises NotCertified."""
     from .certifying import Targets
 
     targets = Targets(json_file(wanted), None if wanted.page is None else Path(wanted.page))
@@ -50,7 +50,7 @@ def run_certify(wanted: argparse.Namespace, files: FileSet) -> list[str]:
 def _certificate(
     wanted: argparse.Namespace, folder: Path, targets: Any, files: FileSet
 ) -> dict[str, Any]:
-    """Return the certificate of a folder, written to the targets. Raises NotCertified."""
+    """Certify a folder, write the certificate to the targets and return it. Raises NotCertified."""
     from .certifying import certify, read_criteria
 
     files.reads += [] if wanted.criteria is None else [Path(wanted.criteria)]
@@ -70,7 +70,7 @@ def _summary(found: dict[str, Any], folder: str) -> list[str]:
 
 
 def require_criteria(wanted: argparse.Namespace) -> None:
-    """Raises FileError for criteria that `--certify` cannot read, before anything is written."""
+    """Read the criteria of `--certify` before the run writes anything. Raises FileError."""
     from .certifying import read_criteria
 
     if wanted.certify:
@@ -78,14 +78,14 @@ def require_criteria(wanted: argparse.Namespace) -> None:
 
 
 def judged_run(wanted: argparse.Namespace, folder: Path) -> None:
-    """What `check --certify` does with the folder of a run; raises NotCertified."""
+    """Certify the folder of a trial run for `check --certify`. Raises NotCertified."""
     from .certifying import Targets
 
     _certificate(wanted, folder, Targets(), FileSet())
 
 
 def certified_run(wanted: argparse.Namespace) -> list[str]:
-    """What `run --certify` does once the parts are written."""
+    """Certify the written parts for `run --certify` and return the lines to print."""
     from .certifying import Targets
 
     folder = Path(wanted.output)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command `copy`: files read and written again, nothing moved."""
+"""The command `copy`: read files and write them again unchanged."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .files.atomic import FileSet
 
 
 def add_copy_arguments(commands: Any) -> None:
-    """Adds `copy` to the commands of a parser."""
+    """Add `copy` to the commands of a parser."""
     copy = commands.add_parser(
         "copy", help="read decks, meshes, files of welds and write them as they are"
     )
@@ -19,7 +19,7 @@ def add_copy_arguments(commands: Any) -> None:
 
 
 def run_copy(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    """Copies; returns what to print."""
+    """Copy the files and return the lines to print."""
     # Imported here, so that --help answers at once.
     from .copying import copy_files
 

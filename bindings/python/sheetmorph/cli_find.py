@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command `find`: what it takes, and what it prints."""
+"""The command `find`: its arguments and its output."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .errors import Fault, RecipeError
 from .files.atomic import FileSet
 from .words import counted
 
-# Option of the command line, name in FindOptions, type, help.
+# Command-line option, name in FindOptions, type, help.
 _NUMBERS = (
     ("--gap", "gap", float, "largest distance of parts in contact, mm (default: proposed)"),
     ("--rings", "rings", int, "washer rings around a hole (default: 1)"),
@@ -26,7 +26,7 @@ _NUMBERS = (
     ("--scatter", "scatter", float, "standard deviation of measured vertices, mm (default: told)"),
     ("--facing-angle", "facing_angle", float, "between surfaces in contact, degrees (default: 35)"),
 )
-# Sizes of the meshes of CAD files, as `mesh` in a recipe.
+# Mesh sizes for CAD files, as in the key `mesh` of a recipe.
 _SIZES = (
     ("--edge", "edge", "longest edges of the meshes of CAD files, mm"),
     ("--deflection", "deflection", "how far those meshes may be off their surfaces, mm"),
@@ -35,7 +35,7 @@ _SIZES = (
 
 
 def add_find_arguments(commands: Any) -> None:
-    """Adds `find` to the commands of a parser."""
+    """Add `find` to the commands of a parser."""
     find = commands.add_parser("find", help="print the features and contacts of mesh files as JSON")
     find.add_argument("files", nargs="+", metavar="FILE", help="mesh files of one assembly")
     ways = ("auto", "components", "property", "none")
@@ -50,7 +50,7 @@ def add_find_arguments(commands: Any) -> None:
 
 
 def run_find(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    """Finds, and writes or returns the JSON. Raises RecipeError."""
+    """Find features and contacts, and write the JSON or return it. Raises RecipeError."""
     # Imported here, so that --help answers at once.
     from .finding import FindOptions, find_in_files
 
@@ -71,7 +71,7 @@ def run_find(wanted: argparse.Namespace, files: FileSet) -> list[str]:
 
 
 def write_text(wanted: argparse.Namespace, text: str, files: FileSet) -> Path:
-    """Write what a command found in files to where its -o says. Raises FileError."""
+    """Write a text to the file of `-o` and return its path. Raises FileError."""
     path = Path(wanted.output)
     files.reads += [Path(file) for file in wanted.files]
     with files:
@@ -91,7 +91,7 @@ def _known_kinds(kinds: list[str]) -> list[str]:
 
 
 def _checked(options: Any) -> Any:
-    """The options; raises RecipeError if the kernel refuses one."""
+    """Return the options. Raises RecipeError if the kernel refuses one."""
     faults = options.faults()
     if faults:
         raise RecipeError([Fault("find", what, todo) for what, todo in faults])
@@ -99,7 +99,7 @@ def _checked(options: Any) -> Any:
 
 
 def one_line_each(found: dict[str, Any]) -> str:
-    """JSON with one line for every feature and contact, so that people can read it."""
+    """Return JSON with one line for every feature and contact, for readability."""
     lines = []
     for key, value in found.items():
         rows = [json.dumps(row, ensure_ascii=False, allow_nan=False) for row in as_list(value)]
@@ -111,5 +111,5 @@ def one_line_each(found: dict[str, Any]) -> str:
 
 
 def as_list(value: Any) -> list[Any]:
-    """The entries of a list of objects; none for anything else."""
+    """Return a non-empty list of objects as it is, and an empty list for any other value."""
     return value if isinstance(value, list) and value and isinstance(value[0], dict) else []

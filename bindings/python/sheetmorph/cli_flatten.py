@@ -15,7 +15,7 @@ from .files.atomic import FileSet
 
 
 def add_flatten_arguments(commands: Any) -> None:
-    """Adds `flatten` to the commands of a parser."""
+    """Add `flatten` to the commands of a parser."""
     text = "lay a bent sheet flat: blank, bend lines, bend table (kinematic, no forming)"
     flatten = commands.add_parser("flatten", help=text)
     flatten.add_argument("file", metavar="FILE", help="mesh of an open sheet or a thin solid")
@@ -40,7 +40,10 @@ def _positive(text: str) -> float:
 
 
 def run_flatten(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    """Lays flat, writes, and returns the bend tables. Raises RecipeError, FileError, NotFlat."""
+    """Flatten, write the files and return the bend tables.
+
+    Raises RecipeError, FileError, NotFlat.
+    """
     # Imported here, so that --help answers at once.
     from .doctor import diagnose_file
     from .files import is_cad, read_part

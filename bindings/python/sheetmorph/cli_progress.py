@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far the command line is, on stderr: one changing line on a terminal, few lines elsewhere."""
+"""Progress on stderr: one changing line on a terminal, and a new line now and then elsewhere."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ import time
 from collections.abc import Callable, Iterator
 from typing import TextIO
 
-# Seconds before the first line and between lines: on a terminal, and where every line stays.
+# Seconds before the first line, and between lines.
 _ON_TERMINAL = (0.5, 0.1)
 _ELSEWHERE = (10.0, 10.0)
 
 
 @contextlib.contextmanager
 def progress_on(stream: TextIO | None, is_quiet: bool) -> Iterator[Callable[[float, str], bool]]:
-    """A progress(fraction, task) that tells it on a stream, and cleans up behind itself."""
+    """Provide a progress(fraction, task) that prints to a stream, and clear its line at the end."""
     line = _Line(None if is_quiet else stream)
     try:
         yield line.tell
@@ -24,7 +24,7 @@ def progress_on(stream: TextIO | None, is_quiet: bool) -> Iterator[Callable[[flo
 
 
 class _Line:
-    """What was told last, and when."""
+    """The progress line, with the time of its next update."""
 
     def __init__(self, stream: TextIO | None):
         self._stream = stream
@@ -51,7 +51,7 @@ class _Line:
         self._width = len(text)
 
     def clear(self) -> None:
-        """Nothing of a changing line is left."""
+        """Erase the changing line from a terminal."""
         if self._is_terminal and self._width:
             self._write("")
             with contextlib.suppress(OSError, ValueError):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands around writing a recipe: `init`, `show`, `schema`."""
+"""The commands that help to write a recipe: `init`, `show`, `schema`."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _SCHEMAS = ("recipe", "report", "find", "doctor", "certificate", "study")
 
 
 def add_recipe_commands(commands: Any) -> None:
-    """Adds them to the commands of a parser."""
+    """Add `init`, `show` and `schema` to the commands of a parser."""
     init = commands.add_parser("init", help="write a first recipe of some files, to be edited")
     init.add_argument("files", nargs="+", metavar="FILE", help="mesh, deck or CAD file")
     init.add_argument("-o", "--output", metavar="FILE", help="write there instead of printing")
@@ -40,7 +40,7 @@ def add_recipe_commands(commands: Any) -> None:
 
 
 def add_unit_argument(command: argparse.ArgumentParser) -> None:
-    """Adds what a user says of the unit of mesh files."""
+    """Add the option `--unit`, the unit of mesh files."""
     text = "the unit of mesh files (default: the one that makes them usual sheet-metal parts)"
     command.add_argument("--unit", choices=tuple(UNITS), help=text)
 
@@ -56,7 +56,7 @@ def _direction(text: str) -> tuple[float, float, float]:
 
 
 def _init(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    # Imported here, so that --help answers at once; so below.
+    # Imported here, so that --help answers at once.
     from .starting import starting_recipe
 
     if wanted.output and Path(wanted.output).exists():

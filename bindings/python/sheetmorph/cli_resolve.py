@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command `resolve`: a recipe with vertex ids in place of what its regions say."""
+"""The command `resolve`: a recipe with vertex ids in place of its selectors."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .files.atomic import FileSet
 
 
 def add_resolve_arguments(commands: Any) -> None:
-    """Adds `resolve` to the commands of a parser."""
+    """Add `resolve` to the commands of a parser."""
     text = "print a recipe with the vertex ids its selectors stand for"
     resolve = commands.add_parser("resolve", help=text)
     resolve.add_argument("recipe", help="JSON file; the part files are relative to it")
@@ -24,7 +24,7 @@ def add_resolve_arguments(commands: Any) -> None:
 
 
 def run_resolve(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    """Resolve, and write or return the recipe. Raises RecipeError, FileError."""
+    """Resolve the recipe and write it, or return it. Raises RecipeError, FileError."""
     # Imported here, so that --help answers at once.
     from .running import resolve
 
@@ -46,7 +46,7 @@ def run_resolve(wanted: argparse.Namespace, files: FileSet) -> list[str]:
 
 
 def _seen_from(recipe: dict[str, Any], old: Path, new: Path) -> dict[str, Any]:
-    """The recipe as it stands in another folder; paths that are absolute stay."""
+    """Return the recipe with its relative paths adapted to another folder."""
     if old.resolve() == new.resolve():
         return recipe
     parts = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command `study`: what it takes, and what it prints."""
+"""The command `study`: its arguments and its output."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _ENGINES = ("local", "processes", "dask", "slurm", "snakemake")
 
 
 def add_study_arguments(commands: Any) -> None:
-    """Adds `study` to the commands of a parser."""
+    """Add `study` to the commands of a parser."""
     study = commands.add_parser("study", help="compute, certify and table variants of a recipe")
     study.add_argument("recipe", metavar="STUDY", help="JSON file; its recipe is relative to it")
     study.add_argument("-o", "--output", metavar="DIR", help="folder for the variants")
@@ -49,7 +49,7 @@ def _runs(text: str) -> tuple[int, int]:
 
 
 def run_study_command(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    """Computes the study; what to print. Raises RecipeError, FileError, KernelError."""
+    """Run the study and return the lines to print. Raises RecipeError, FileError, KernelError."""
     # Imported here, so that --help answers at once.
     from .study.running import Ways, run_study, study_range
 

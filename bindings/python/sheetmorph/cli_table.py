@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a run ended: a short table of its report, for a terminal."""
+"""A short summary of a run's report for a terminal."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from typing import Any
 
 from .words import counted
 
-# Rows of parts and of contacts; the rest is in the report.
+# Rows of parts and of contacts; the report has the others.
 _MOST = 12
 
 
 def ending_of(report: dict[str, Any], output: str, *, is_quiet: bool) -> list[str]:
-    """What `run` prints: tables unless it is quiet, warnings, and how exact the features are."""
+    """Return the lines that `run` prints: tables unless quiet, warnings, and feature rigidity."""
     lines = [] if is_quiet else [*_parts(report), *_contacts(report)]
     lines += [f"warning: {text}" for text in report["warnings"]]
     parts = counted(len(report["parts"]), "part", "parts")
@@ -22,7 +22,7 @@ def ending_of(report: dict[str, Any], output: str, *, is_quiet: bool) -> list[st
 
 
 def _parts(report: dict[str, Any]) -> list[str]:
-    """The parts that moved farthest."""
+    """Return a table of the parts with the largest displacements."""
     parts = sorted(report["parts"], key=lambda part: -float(part["largest_displacement"]))
     features = [feature["part"] for feature in report["features"]]
     rows = [("part", "vertices", "moved, mm", "features", "strain", "thickness")]
@@ -42,7 +42,7 @@ def _parts(report: dict[str, Any]) -> list[str]:
 
 
 def _shapes(report: dict[str, Any]) -> Iterator[str]:
-    """The CAD files that were written."""
+    """Describe each written CAD file in one line."""
     shapes = [part["shape"] for part in report["parts"] if part["shape"] is not None]
     for name in dict.fromkeys(shape["file"] for shape in shapes):
         own = [shape for shape in shapes if shape["file"] == name]
@@ -57,7 +57,7 @@ def _shapes(report: dict[str, Any]) -> Iterator[str]:
 
 
 def _contacts(report: dict[str, Any]) -> list[str]:
-    """The contacts that opened or closed most."""
+    """List the contacts with the largest gap changes."""
     contacts = sorted(report["contacts"], key=lambda contact: -float(contact["gap_change"]))
     lines = [
         f"{contact['name']}: {contact['source']} drives {contact['target']}, gap change "
@@ -72,7 +72,7 @@ def _more(number: int, what: str) -> list[str]:
 
 
 def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
-    """Columns of equal width, numbers to the right."""
+    """Return the rows with columns of equal width, numbers aligned to the right."""
     widths = [max(map(len, column)) for column in zip(*rows)]
     return [
         "  ".join(

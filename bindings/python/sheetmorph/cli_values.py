@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Options with an optional value: the value never takes the place of an argument."""
+"""Options with an optional value, which never consumes a required argument."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from pathlib import Path
 from typing import Any
 
 STDOUT = "-"
-"""What `--json` means without a file."""
+"""Value of `--json` without a file."""
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser that gives a word to an option with an optional value only if it is to spare.
+    """A parser in which an optional value never consumes a required argument.
 
-    argparse itself takes the recipe of `run -o x --repair recipe.json` for the criteria.
+    Plain argparse reads the recipe of `run -o x --repair recipe.json` as the criteria.
     """
 
     def __init__(self, *arguments: Any, **keywords: Any):
@@ -33,13 +33,13 @@ class Parser(argparse.ArgumentParser):
         return action
 
     def parse_known_args(self, args=None, namespace=None):  # type: ignore[no-untyped-def]
-        """Parse as argparse does, once every optional value is settled."""
+        """Parse as argparse does, after every optional value is assigned."""
         return super().parse_known_args(
             args if args is None else self._settled(list(args)), namespace
         )
 
     def _settled(self, words: list[str]) -> list[str]:
-        """Return the words with `--option=default` where the next word is an argument."""
+        """Write `--option=default` where the word after an option is a required argument."""
         values, free = self._values(words)
         missing = self._required - free
         if not values or missing <= 0:
@@ -53,8 +53,7 @@ class Parser(argparse.ArgumentParser):
         return words
 
     def _values(self, words: list[str]) -> tuple[list[int], int]:
-        """Return where options stand whose next word may be their value, and count the words that
-        are arguments for certain."""
+        """Return the options whose next word may be their value, and count the sure arguments."""
         values: list[int] = []
         free, k = 0, 0
         while k < len(words):
@@ -77,7 +76,7 @@ class Parser(argparse.ArgumentParser):
         return values, free
 
     def _action(self, word: str) -> argparse.Action | None:
-        """Return the option that takes the next words: none for `--option=value` and `-ovalue`."""
+        """Return the option that consumes the next words; `--option=value` consumes none."""
         if word in self._known:
             return self._known[word]
         found = {id(a): a for name, a in self._known.items() if name.startswith(word)}
@@ -90,14 +89,14 @@ def _is_option(word: str) -> bool:
 
 
 def add_json_argument(commands: Sequence[argparse.ArgumentParser]) -> None:
-    """Add `--json` to commands; it means the same in each."""
+    """Add `--json` to commands, with the same meaning in each."""
     text = "the result as JSON: in FILE, or on stdout in place of the text"
     for command in commands:
         command.add_argument("--json", nargs="?", const=STDOUT, metavar="FILE", help=text)
 
 
 def json_file(wanted: argparse.Namespace) -> Path | None:
-    """Return the file that `--json` names, None if it names none."""
+    """Return the file that `--json` names, or None."""
     return None if wanted.json in (None, STDOUT) else Path(wanted.json)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command `copy`: files are read and written again, nothing moved: what a morph would leave."""
+"""Copies of files: read and written again with nothing moved, to show what a morph preserves."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from .places import Places
 
 
 def copy_files(paths: Sequence[str | Path], out: str | Path, files: FileSet) -> list[str]:
-    """Write files, decks with all that they include, into a folder; a sentence for each.
+    """Copy files, and decks with their includes, into a folder; return a sentence for each.
 
-    All or none are written. Raises FileError, RecipeError, OSError.
+    Either all files are written or none. Raises FileError, RecipeError, OSError.
     """
     folder = Path(out)
     work = [_Copy(Path(path), folder) for path in paths]
@@ -37,7 +37,7 @@ def copy_files(paths: Sequence[str | Path], out: str | Path, files: FileSet) -> 
 
 
 class _Copy:
-    """One file on its way."""
+    """One file to copy, with the paths that it reads and writes."""
 
     def __init__(self, path: Path, folder: Path):
         self.read = [path]
@@ -84,7 +84,7 @@ class _Copy:
 
 
 def _holds(path: Path, data: bytes) -> bool:
-    """Whether a file holds these bytes; it is not read as a whole."""
+    """Return whether a file contains exactly these bytes; it is read in blocks."""
     if path.stat().st_size != len(data):
         return False
     whole, size = memoryview(data), 1 << 20

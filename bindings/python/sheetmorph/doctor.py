@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The doctor: what a mesh is, what is wrong with it, and a cure for each; nothing is changed."""
+"""Diagnosis of meshes: properties, faults, and a cure for each; the mesh is not changed."""
 
 from __future__ import annotations
 
@@ -19,14 +19,15 @@ from .files.deck_file import DeckFile
 from .kernel import load_kernel
 from .part_mesh import PartMesh
 
-# Vertices nearer than this share of the size are one place, unless the caller says otherwise.
+# Default distance below which two vertices coincide, as a share of the size.
 _NEAR = 1e-6
-# Longest edge over height of a sliver, as in the kernel; cosine between two triangles of a fold.
+# A sliver has a longest edge above this multiple of its height, as in the kernel. Two triangles
+# fold if the cosine between their normals is below the second value.
 _SLIVER, _FOLDED = 25.0, -0.9
 
 
 def schema() -> dict[str, Any]:
-    """The published JSON Schema of what the command `doctor` prints."""
+    """Return the published JSON Schema for the output of the command `doctor`."""
     text = resources.files("sheetmorph").joinpath("doctor.schema.json").read_text("utf-8")
     found: dict[str, Any] = json.loads(text)
     return found
@@ -35,9 +36,9 @@ def schema() -> dict[str, Any]:
 def diagnose_files(
     files: list[str | Path], tolerance: float | None = None, unit: str | None = None
 ) -> dict[str, Any]:
-    """The diagnosis of every file, as `doctor` prints it; tolerance, unit: see diagnose().
+    """Return the diagnosis of every file, as the command `doctor` prints it.
 
-    Raises FileError, KernelError, OSError.
+    See diagnose() for tolerance and unit. Raises FileError, KernelError, OSError.
     """
     found = []
     for file in map(str, files):
@@ -52,9 +53,11 @@ def diagnose_files(
 def diagnose_file(
     file: PartFile, tolerance: float | None = None, unit: str | None = None
 ) -> dict[str, Any]:
-    """The diagnosis of a file: of its mesh, and what was not read of it. Of a deck without cures
-    that would make another mesh, the unit also by the thickness of its sections. Raises as
-    diagnose() does."""
+    """Return the diagnosis of a file: its mesh, and content that the reader skipped.
+
+    For a deck, cures that need a new mesh are left out, and the section thickness helps to guess
+    the unit. Raises the errors of diagnose().
+    """
     diagnosis = diagnose(file.mesh, tolerance, unit)
     if isinstance(file, DeckFile):
         thickness = file.thickness_of(np.arange(len(file.mesh.triangles))) or None
@@ -69,12 +72,29 @@ def diagnose_file(
 def diagnose(
     mesh: PartMesh, tolerance: float | None = None, unit: str | None = None
 ) -> dict[str, Any]:
-    """What a mesh is and what is wrong with it, each with a cure; ready for JSON.
+    """Diagnose a mesh, and propose a cure for each fault.
 
-    tolerance: mm, below which two vertices are one place; a millionth of the size if None. Vertices
-    of no triangle do not count for the size. unit: of its lengths, one of file_unit.UNITS; guessed
-    if None.
-    Raises KernelError, InvalidInput of the kernel (a ValueError) for a bad tolerance.
+    Parameters
+    ----------
+    mesh : PartMesh
+        The mesh to examine.
+    tolerance : float, optional
+        Distance in the unit of the mesh below which two vertices coincide; by default a millionth
+        of the size of the used vertices.
+    unit : str, optional
+        Unit of the mesh, one of ``file_unit.UNITS``; guessed by default.
+
+    Returns
+    -------
+    dict
+        The diagnosis, ready for JSON; see ``doctor.schema.json``.
+
+    Raises
+    ------
+    KernelError
+        If the compiled kernel cannot be loaded.
+    ValueError
+        If the kernel refuses the tolerance (InvalidInput).
     """
     core = load_kernel()
     kernel_mesh = core.TriangleMesh(mesh.points, mesh.triangles)
@@ -123,7 +143,7 @@ _COUNTS = (
 
 
 def _folded_slivers(mesh: PartMesh) -> int:
-    """How many slivers lie folded back onto a neighbour."""
+    """Count the slivers that fold back onto a neighbour."""
     corners = mesh.points[mesh.triangles]
     sides = np.roll(corners, -1, axis=1) - corners
     doubled = np.cross(sides[:, 0], sides[:, 1])
@@ -161,7 +181,7 @@ def _piece(piece: Any) -> dict[str, Any]:
 
 
 def _thickness(pieces: list[Any]) -> float | None:
-    """Of the thin solids the thickness that most of their area has, mm."""
+    """Return the thickness of thin solids, mm, weighted by area."""
     areas: Counter[float] = Counter()
     for piece in pieces:
         if piece.kind == "thin solid":
@@ -187,12 +207,12 @@ def _rims(found: Any) -> dict[str, Any]:
 
 
 def _in_mm(length: float | None, scale: float) -> float | None:
-    """A length of the file in the mm of a recipe."""
+    """Convert a length of the file to mm, as in a recipe."""
     return length and float(f"{scale * length:.6g}")
 
 
 def _suggested_edge(found: Any) -> float | None:
-    """An edge length of 1, 2, 3 or 5 times a power of ten that gives some 30,000 triangles."""
+    """Return an edge length of 1, 2, 3 or 5 times a power of ten for about 30,000 triangles."""
     area = sum(piece.area for piece in found.pieces)
     if not area > 0.0:
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What goes wrong, said for the person who has to put it right: where, what, what to do."""
+"""Errors and warnings for the user: where it is wrong, what is wrong, what to do."""
 
 from __future__ import annotations
 
@@ -10,10 +10,15 @@ from typing import NamedTuple
 
 
 class Subject(NamedTuple):
-    """An entry of a recipe that a message is about.
+    """A recipe entry that a message is about.
 
-    kind: "part", "fixed region", "handle", "feature", "point", "follower", "contact", "group" or
-    "pair"; "region" for one of the regions, whose names differ whatever their kind is.
+    Parameters
+    ----------
+    kind : str
+        "part", "fixed region", "handle", "feature", "point", "follower", "contact", "group" or
+        "pair"; "region" stands for any kind of region, because region names are unique.
+    name : str
+        Name of the entry.
     """
 
     kind: str
@@ -21,16 +26,26 @@ class Subject(NamedTuple):
 
 
 OTHER = "other"
-"""The code of a fault that has no cure of its own."""
+"""Code of a fault without a specific cure."""
 
 
 @dataclass(frozen=True)
 class Fault:
-    """One mistake: where it is, what is wrong, what to do about it.
+    """One fault of the input: where it is, what is wrong, and what to do.
 
-    code: "unheld" (nothing holds a piece of a part), "overlap" (two regions share vertices), "torn"
-    (a rigid shape touches regions that move differently) or "other"; objects: the entries at fault;
-    vertices: those that it lists, as the part's file numbers them; brief: `what` without them.
+    Parameters
+    ----------
+    where, what, todo : str
+        Place, problem and remedy.
+    code : str
+        "unheld" (a piece of a part has no prescribed vertices), "overlap" (two regions share
+        vertices), "torn" (a rigid shape touches regions that move differently) or "other".
+    objects : tuple of Subject
+        The recipe entries at fault.
+    vertices : tuple of int
+        Vertices at fault, as numbered in the file of the part.
+    brief : str
+        The problem without vertex numbers.
     """
 
     where: str
@@ -42,11 +57,11 @@ class Fault:
     brief: str = ""
 
     def about(self, *objects: Subject) -> Fault:
-        """The same with the entries at fault."""
+        """Return a copy with other entries at fault."""
         return replace(self, objects=objects)
 
     def in_brief(self) -> str:
-        """The sentence without the numbers of vertices, for a panel."""
+        """Return the sentence without vertex numbers, for a panel."""
         place = f"{self.where}: " if self.where else ""
         todo = f"; {self.todo}" if self.todo else ""
         return self._line(f"{place}{self.brief or self.what}{todo}")
@@ -57,13 +72,23 @@ class Fault:
     @staticmethod
     def _line(text: str) -> str:
         line = " ".join(text.split())
-        # Names can hold what a terminal must not get, and halves of surrogate pairs.
+        # Names can contain control characters that a terminal must not receive, and lone
+        # surrogates.
         return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in line)
 
 
 class Caution(str):
-    """A warning: one sentence that knows which entries it is about (``objects``) and, by its
-    ``code``, what kind of warning it is."""
+    """A warning: one sentence with the entries that it is about and the kind of warning.
+
+    Parameters
+    ----------
+    text : str
+        The sentence.
+    *objects : Subject
+        The recipe entries that the warning is about.
+    code : str
+        Kind of the warning.
+    """
 
     objects: tuple[Subject, ...]
     code: str
@@ -77,17 +102,24 @@ class Caution(str):
         return (str(self), *self.objects), {"code": self.code}
 
     def after(self, lead: str) -> Caution:
-        """The same with words in front."""
+        """Return a copy with a text in front of the sentence."""
         return Caution(f"{lead}{self}", *self.objects, code=self.code)
 
 
-# More mistakes than that are counted, not listed.
+# Further faults are counted, not listed.
 _MOST_LINES = 20
 
 
 class RecipeError(ValueError):
-    """A recipe that cannot be run; ``faults`` lists every mistake found. The text has a line for
-    each of the first 20, and how many more there are."""
+    """A recipe that SheetMorph cannot run; ``faults`` lists every fault found.
+
+    The text has one line for each of the first 20 faults, and the number of the others.
+
+    Parameters
+    ----------
+    faults : sequence of Fault
+        All faults of the recipe.
+    """
 
     def __init__(self, faults: Sequence[Fault]):
         self.faults = list(faults)
@@ -97,9 +129,16 @@ class RecipeError(ValueError):
 
 
 class FileError(ValueError):
-    """A mesh file that cannot be read or written.
+    """A file that SheetMorph cannot read or write.
 
-    ``path``; ``line`` (from 1, None where it has no meaning); ``what``; ``todo``.
+    Parameters
+    ----------
+    path : str or Path
+        The file.
+    what, todo : str
+        Problem and remedy.
+    line : int, optional
+        Line of the file, counted from 1; None if it has no lines.
     """
 
     def __init__(self, path: str | Path, what: str, todo: str, line: int | None = None):
@@ -110,13 +149,19 @@ class FileError(ValueError):
         super().__init__(str(self.fault()))
 
     def fault(self, where: str = "") -> Fault:
-        """The same as a Fault; ``where`` is put before the file name."""
+        """Return the error as a Fault; ``where`` is put before the file name."""
         place = str(self.path) + (f", line {self.line}" if self.line else "")
         return Fault(f"{where}, {place}" if where else place, self.what, self.todo)
 
 
 class InputError(ValueError):
-    """Something given that cannot be used: ``what`` is wrong, and what ``todo`` about it."""
+    """An input that SheetMorph cannot use.
+
+    Parameters
+    ----------
+    what, todo : str
+        Problem and remedy.
+    """
 
     def __init__(self, what: str, todo: str):
         self.what, self.todo = what, todo
@@ -124,9 +169,9 @@ class InputError(ValueError):
 
 
 def fault_of(error: Exception, todo: str, where: str = "recipe") -> Fault:
-    """The fault that an error of the kernel or of this package stands for.
+    """Convert an error of the kernel or of this package to a Fault.
 
-    todo, where: for errors that do not say what to do, or where.
+    The arguments todo and where are used if the error does not provide them.
     """
     if isinstance(error, RecipeError):
         return error.faults[0]
@@ -144,11 +189,17 @@ def fault_of(error: Exception, todo: str, where: str = "recipe") -> Fault:
 
 
 class KernelError(RuntimeError):
-    """The compiled kernel ``sheetmorph._core`` is missing, broken or of another version."""
+    """The compiled kernel ``sheetmorph._core`` is missing, broken or incompatible."""
 
 
 class OccupiedError(FileError):
-    """A file that SheetMorph did not write stands where it would write one."""
+    """The output path has a file that SheetMorph did not write.
+
+    Parameters
+    ----------
+    path : str or Path
+        The existing file.
+    """
 
     def __init__(self, path: str | Path):
         what = "it is there already, and SheetMorph did not write it as it is now"
@@ -156,6 +207,6 @@ class OccupiedError(FileError):
 
 
 def list_ids(ids: Sequence[int], shown: int = 8) -> str:
-    """ "3, 7, 12 and 5 more": the first ids of a list, for messages."""
+    """Return the first ids of a list for a message, such as "3, 7, 12 and 5 more"."""
     text = ", ".join(str(int(i)) for i in list(ids)[:shown])
     return text + (f" and {len(ids) - shown} more" if len(ids) > shown else "")

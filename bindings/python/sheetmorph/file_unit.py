@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The unit of a mesh file, which says nothing of it: the units that make it a usual sheet part."""
+"""The unit of a mesh file, guessed from the usual sizes of sheet-metal parts."""
 
 from __future__ import annotations
 
@@ -8,26 +8,26 @@ from typing import Any
 from .words import either
 
 AS_GIVEN = "as given"
-"""The reason for a unit that the user named."""
+"""Reason for a unit that the user named."""
 
 UNITS = {"mm": 1.0, "cm": 10.0, "inch": 25.4, "foot": 304.8, "m": 1000.0}
 
-# What sheet-metal parts usually are, mm. Files are usually in mm, so there the ranges are wider.
+# Usual sizes of sheet-metal parts, mm. Most files are in mm, so the ranges for mm are wider.
 _SIZES, _SIZES_IN_MM = (15.0, 4000.0), (10.0, 1e5)
 _THICKNESSES, _THICKNESSES_IN_MM = (0.45, 6.5), (0.3, 20.0)
-# What is thicker may still be a frame or a plate, where it is no usual part in mm.
+# Thicker sheets can be frames or plates if mm is not plausible.
 _THICKEST = 40.0
-# Without a thickness, parts smaller than this in mm may as well be in inches.
+# Without a thickness, smaller parts could also be in inches.
 _LARGE = 80.0
 
 
 def unit_of(size: float, thickness: float | None, given: str | None = None) -> dict[str, Any]:
-    """The unit of a part, for the diagnosis: guess, scale, reason, plausible, is_certain.
+    """Return the unit of a part for the diagnosis: guess, scale, reason, plausible, is_certain.
 
-    size: the diagonal in the unit of the file; thickness: of the sheet, None if it is not known;
-    given: one of UNITS if the user knows it.
-    guess: "unknown" where several units are plausible and none of them is mm; scale is 1 then.
-    is_certain: whether no other unit is plausible, or only this one makes the sheet a usual gauge.
+    The size is the diagonal and the thickness that of the sheet, both in the unit of the file. If
+    the user gave a unit, it is used. The guess is "unknown" with scale 1 if several units are
+    plausible and none of them is mm. The unit is certain if it is the only plausible one, if only
+    this one gives a standard gauge, or if a part without thickness has a usual size in mm.
     """
     if given is not None:
         return _unit(given, AS_GIVEN, [given], True)
@@ -72,7 +72,7 @@ def _is_plausible(
 
 
 def _is_gauge(thickness: float) -> bool:
-    """Whether a thickness in mm is a whole number of 0.05 mm, 0.005 inches or 1/64 inch."""
+    """Return whether a thickness in mm is a multiple of 0.05 mm, 0.005 inch or 1/64 inch."""
     steps = (thickness / step for step in (0.05, 0.005 * 25.4, 25.4 / 64.0))
     return any(abs(number - round(number)) < 1e-4 * number for number in steps)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The gap of a contact, the one measure of it: table, report, certificate, panel and study."""
+"""The gap of a contact, measured in one way for table, report, certificate, panel and study."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ if TYPE_CHECKING:
 
 
 class Surface:
-    """A part in one state: places (n, 3) mm, triangles (m, 3)."""
+    """A part in one state: vertices (n, 3) in mm and triangles (m, 3)."""
 
     def __init__(self, places: Floats, triangles: Ints):
         self.places, self.triangles = places, triangles
 
     @cached_property
     def tree(self) -> _core.PickingTree:
-        """Finds the nearest place on it."""
+        """Search tree for the nearest point on the surface."""
         found: _core.PickingTree = load_kernel().PickingTree(
             np.ascontiguousarray(self.places), self.triangles
         )
         return found
 
     def distances(self, points: Floats) -> Floats:
-        """(k,) mm from points (k, 3); 0 from a part without triangles."""
+        """Return the distances (k,) in mm from points (k, 3); 0 if the part has no triangles."""
         found: Floats = self.tree.distances(np.ascontiguousarray(points))
         return np.where(np.isfinite(found), found, 0.0)
 
@@ -42,8 +42,11 @@ Pair = tuple[Surface, Surface]
 
 @dataclass(frozen=True)
 class GapChange:
-    """before, after: the mean gap, mm; worst: the largest change at a vertex, mm, in magnitude;
-    place: (3,) where that vertex is now, None without vertices."""
+    """The change of a gap from rest to another state.
+
+    before and after are mean gaps and worst is the largest change at a vertex, all in mm. place
+    (3,) is the current position of that vertex, None if there are no vertices.
+    """
 
     before: float
     after: float
@@ -52,10 +55,9 @@ class GapChange:
 
 
 class ContactGap:
-    """The gap of a contact: from every vertex of either side to the nearest place of the other
-    part.
+    """The gap of a contact: from every vertex of a side to the nearest point of the other part.
 
-    rest: both parts at rest; sides: vertices (k,) of each that the contact joins.
+    rest holds both parts at rest, and sides the vertices (k,) that the contact joins on each.
     """
 
     def __init__(self, rest: Pair, sides: tuple[Ints, Ints]):
@@ -64,11 +66,11 @@ class ContactGap:
 
     @cached_property
     def middle(self) -> float:
-        """The median gap at rest, mm."""
+        """Median gap at rest, mm."""
         return float(np.median(self.rest)) if len(self.rest) else 0.0
 
     def change(self, now: Pair) -> GapChange:
-        """How the gap changes from rest to another state of the parts."""
+        """Return the change of the gap from rest to another state of the parts."""
         if not len(self.rest):
             return GapChange(0.0, 0.0, 0.0, None)
         gaps = self._gaps(now)
@@ -79,7 +81,7 @@ class ContactGap:
         return GapChange(*means, float(changes[worst]), places[worst])
 
     def _gaps(self, parts: Pair) -> Floats:
-        """(k,) mm, first from the vertices of side a."""
+        """Return the gaps (k,) in mm, those of side a first."""
         return np.concatenate(
             [
                 other.distances(own.places[rows])

@@ -26,13 +26,3 @@ def load_kernel() -> ModuleType:
         text = f"The kernel sheetmorph._core has interface {found}, this package needs {KERNEL_API}"
         raise KernelError(f"{text}; {_TODO}.")
     return core
-
-
-def load_cad() -> ModuleType:
-    """``sheetmorph._cad``, loaded when the first CAD file is read. Raises KernelError."""
-    load_kernel()
-    try:
-        return importlib.import_module("sheetmorph._cad")
-    except ImportError as error:
-        reason = " ".join(str(error).split())
-        raise KernelError(f"CAD files cannot be read ({reason}); {_TODO}.") from None

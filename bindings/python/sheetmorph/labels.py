@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a file calls parts of its mesh: groups, properties, sets, CAD faces with their surfaces."""
+"""Names in a file for regions of its mesh: groups, properties, sets and CAD faces."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .arrays import Array, Ints
 
 @dataclass(frozen=True)
 class CadFace:
-    """A face of a CAD file: number from 1 in its body, kind of surface, name, colour "#rrggbb"."""
+    """A face of a CAD file: number from 1 in its body, surface kind, name, colour "#rrggbb"."""
 
     body: str
     number: int
@@ -25,10 +25,11 @@ class CadFace:
 
 @dataclass(frozen=True, eq=False)
 class Labels:
-    """Names for parts of one mesh.
+    """Names for regions of one mesh.
 
-    groups: rows (k,) of triangles by name, "PID 7", "usemtl steel"; nodes: vertex ids of the file
-    by name; face: (m,) index into ``faces`` of every triangle, None where no CAD face is known.
+    groups maps a name, such as "PID 7" or "usemtl steel", to triangle rows (k,). nodes maps a name
+    to vertex ids of the file. face (m,) gives for every triangle an index into ``faces``; it is
+    None without CAD faces.
     """
 
     groups: Mapping[str, Ints] = field(default_factory=dict)
@@ -37,13 +38,13 @@ class Labels:
     faces: tuple[CadFace, ...] = ()
 
     def with_groups(self, groups: Mapping[str, Ints]) -> Labels:
-        """The same with more groups of triangles."""
+        """Return a copy with more groups of triangles."""
         return replace(self, groups={**self.groups, **groups})
 
     def carried(self, triangle_of: Ints) -> Labels:
-        """The labels of another mesh each of whose triangles (m,) comes from one of this mesh.
+        """Return the labels of a new mesh, whose triangles (m,) come from triangles of this mesh.
 
-        Groups that have no triangle there are left out.
+        Groups without a triangle in the new mesh are left out.
         """
         count = 1 + max(
             int(triangle_of.max(initial=-1)),
@@ -61,7 +62,7 @@ class Labels:
         return replace(self, groups=groups, face=face)
 
     def arrays(self) -> dict[str, Array]:
-        """The labels as arrays, for an .npz."""
+        """Return the labels as arrays, for an .npz file."""
         names = {"groups": list(self.groups), "nodes": list(self.nodes)}
         members = [*self.groups.values(), *self.nodes.values()]
         rows = [np.asarray(one, dtype=np.int64) for one in members]
@@ -75,7 +76,7 @@ class Labels:
 
     @classmethod
     def of_arrays(cls, data: Mapping[str, Array]) -> Labels | None:
-        """The labels that arrays() gave; None where there are none."""
+        """Return the labels from the arrays of arrays(), or None if there are none."""
         if "label_names" not in data:
             return None
         told = json.loads(str(data["label_names"]))
@@ -88,12 +89,12 @@ class Labels:
 
     @property
     def names(self) -> list[str]:
-        """Everything a group can be called, for messages."""
+        """All names of groups and node sets, for messages."""
         return [*self.groups, *self.nodes]
 
 
 def by_key(keys: Iterable[str], values: Ints) -> dict[str, Ints]:
-    """Rows by name of (m,) values; keys: the name of every value that occurs, ascending."""
+    """Group the rows of values (m,) by value; keys names the distinct values in ascending order."""
     order = np.argsort(values, kind="stable")
     _, first = np.unique(values[order], return_index=True)
     return dict(zip(keys, np.split(order, first[1:])))

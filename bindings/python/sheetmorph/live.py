@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Frames while handles are dragged: 1e-6 of the size, as fast as the kernel can."""
+"""Fast frames while the user drags handles, accurate to 1e-6 of the size."""
 
 from __future__ import annotations
 
@@ -10,7 +10,13 @@ from .session import Drag, Result, Session
 
 
 class LiveFrames:
-    """Live frames of a session; a drag begins by itself when other handles move."""
+    """Live frames of a session; a new drag starts when the set of moving handles changes.
+
+    Parameters
+    ----------
+    session : Session
+        The factorised morph.
+    """
 
     def __init__(self, session: Session):
         self._session = session
@@ -20,13 +26,28 @@ class LiveFrames:
 
     @property
     def failure(self) -> str:
-        """What the learning of the present drag has failed with, empty if it has not."""
+        """Error of the background work of the current drag, or an empty string."""
         return "" if self._drag is None else self._drag.failure
 
     def deform(self, pose: Pose, moved: Collection[str]) -> Result:
-        """All parts in a pose; `moved`: names of what differs from one frame to the next.
+        """Return all parts in a pose, computed fast and not exactly.
 
-        Raises RecipeError.
+        Parameters
+        ----------
+        pose : dict
+            The pose, as in a recipe.
+        moved : collection of str
+            Names of the entries that change from frame to frame.
+
+        Returns
+        -------
+        Result
+            Positions (n, 3) of every part, mm, accurate to 1e-6 of the size.
+
+        Raises
+        ------
+        RecipeError
+            If the pose is invalid.
         """
         handles = self._handles & frozenset(moved)
         if not handles:

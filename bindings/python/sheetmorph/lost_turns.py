@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whole turns of handles that an answer does not follow: measured on the answer's own triangles."""
+"""Whole turns of handles that the deformed sheet does not follow, measured on its triangles."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from .errors import Caution, Subject
 from .recipe.pose import pose_of
 from .words import counted
 
-# Only turns beyond half a turn can be lost: a smaller one is the shortest of its kind.
+# Only turns beyond half a turn can be lost, because a smaller rotation is unique.
 _SHORTEST = math.pi
-# Heights of triangles, of their longest side, below which they tell no rotation.
+# A triangle whose height is below this share of its longest edge defines no rotation.
 _FLAT = 1e-6
 
 
 @dataclass(frozen=True)
 class _Turn:
-    """A region, the unit axis about which it turns, and by how much, rad."""
+    """A region with its rotation: unit axis and angle, rad."""
 
     vertices: Ints
     axis: Floats
@@ -31,7 +31,7 @@ class _Turn:
 
 
 def lost_turns(result: Answer) -> Iterator[Caution]:
-    """One sentence for each handle whose turn the sheet does not follow to its end."""
+    """Warn about each handle whose turn the sheet does not follow completely."""
     session = result.session
     pose = pose_of(result.pose)
     turns: dict[str, dict[str, _Turn]] = {}
@@ -76,9 +76,9 @@ def _lost_on(result: Answer, part: str, turns: dict[str, _Turn]) -> Iterator[Cau
 
 
 class FollowedTurns:
-    """How far triangles turn about an axis, followed from neighbour to neighbour.
+    """Rotation angles of triangles about an axis, tracked from neighbour to neighbour.
 
-    points, positions: (n, 3) at rest and in the answer, mm; triangles: (m, 3).
+    points and positions (n, 3) are the rest and deformed vertices, mm; triangles is (m, 3).
     """
 
     def __init__(self, points: Floats, triangles: Ints, positions: Floats):
@@ -92,9 +92,10 @@ class FollowedTurns:
     def least_miss(
         self, start: list[tuple[Ints, float]], end: Ints, axis: Floats, angle: float
     ) -> float | None:
-        """How far the turn about a unit axis is, at least, from `angle` at the vertices `end`, rad.
+        """Return the least difference from angle to the turn of vertices end, rad.
 
-        start: regions (vertices, their own turn about the axis). None if no triangle leads there.
+        The turn is about the unit axis. start lists regions as (vertices, own turn about the axis).
+        The result is None if no chain of triangles connects both.
         """
         turns = 2.0 * np.arctan2(self._quaternions[:, 1:] @ axis, self._quaternions[:, 0])
         found = np.full(len(turns), np.nan)
@@ -122,13 +123,13 @@ class FollowedTurns:
 
 
 def quaternions(rotations: Floats) -> Floats:
-    """Unit quaternions (t, 4), the real part first, of rotation matrices (t, 3, 3)."""
+    """Return unit quaternions (t, 4), real part first, of rotation matrices (t, 3, 3)."""
     r = rotations
     trace = np.trace(r, axis1=1, axis2=2)
     x, y, z = (r[:, (k + 2) % 3, (k + 1) % 3] - r[:, (k + 1) % 3, (k + 2) % 3] for k in range(3))
     diagonal = [1.0 + 2.0 * r[:, k, k] - trace for k in range(3)]
     xy, xz, yz = (r[:, j, k] + r[:, k, j] for j, k in ((0, 1), (0, 2), (1, 2)))
-    # Four times the products of the parts: every row is the quaternion, times one of them.
+    # Row k holds four times the quaternion, multiplied by its component k.
     rows = np.stack(
         [
             np.stack([1.0 + trace, x, y, z], axis=1),
@@ -145,13 +146,13 @@ def quaternions(rotations: Floats) -> Floats:
 
 
 def _wrapped(angles: Floats) -> Floats:
-    """The same angles within half a turn of zero."""
+    """Map angles to the range from minus half a turn to half a turn."""
     wrapped: Floats = angles - math.tau * np.round(angles / math.tau)
     return wrapped
 
 
 def _frames(corners: Floats) -> tuple[Floats, Bools]:
-    """Orthonormal frames (t, 3, 3), a column each, and whether a triangle has one."""
+    """Return orthonormal frames (t, 3, 3) as columns, and whether each triangle has one."""
     first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     normal = np.cross(first, second)
     longest = np.maximum((first**2).sum(axis=1), (second**2).sum(axis=1))
@@ -162,7 +163,7 @@ def _frames(corners: Floats) -> tuple[Floats, Bools]:
 
 
 def _neighbours(triangles: Ints) -> Ints:
-    """Pairs (p, 2) of triangles with a common edge, both ways."""
+    """Return pairs (p, 2) of triangles with a common edge, in both orders."""
     edges = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
     owner = np.repeat(np.arange(len(triangles)), 3)
     order = np.lexsort(edges.T)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A morph in a few lines of Python: files opened, regions said, handles moved; a recipe grows."""
+"""A morph in a few lines of Python: open files, mark regions, move handles."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ from .selecting.words import Region, Vector
 from .session import Result, Session
 from .words import counted
 
-# A part, None for the only one, and a region of it.
+# A part, or None for the only one, and a region on it.
 Side = tuple[str | None, Region]
-# "auto" with options or without, or the entries.
+# "auto", with or without options, or a list of entries.
 Section = str | dict[str, Any] | list[dict[str, Any]] | None
 
 _SECTIONS = {
@@ -38,18 +38,44 @@ _SECTIONS = {
 
 
 def open(*files: str | os.PathLike[str], **keys: Any) -> Morph:  # noqa: A001
-    """A morph of mesh, deck or CAD files; keys of their parts as in a recipe: mesh, thin, weld.
+    """Open mesh, deck or CAD files as a morph.
 
-    Raises RecipeError for files that cannot be read.
+    Parameters
+    ----------
+    *files : str or path
+        The files of the parts.
+    **keys
+        Keys for every part, as in a recipe: mesh, thin, weld and others.
+
+    Returns
+    -------
+    Morph
+        A recipe with these parts.
+
+    Raises
+    ------
+    RecipeError
+        If a file cannot be read.
     """
     return Morph([{"file": os.fspath(file), **keys} for file in files])
 
 
 class Morph:
-    """A recipe that grows call by call; regions are selectors (face_at, box, ...) or vertex ids.
+    """A recipe that grows with every call.
 
-    `recipe` is what a recipe file would hold. Names of parts are those of the files; with one part
-    they may be left out.
+    Regions are selectors (face_at, box, ...) or vertex ids. The attribute ``recipe`` is the content
+    of the recipe file. Parts are named after their files; a morph with one part does not need the
+    name.
+
+    Parameters
+    ----------
+    parts : sequence of dict
+        Part entries, as in a recipe.
+
+    Raises
+    ------
+    RecipeError
+        If a file cannot be read.
     """
 
     def __init__(self, parts: Sequence[dict[str, Any]]):
@@ -65,35 +91,143 @@ class Morph:
 
     @property
     def parts(self) -> list[str]:
-        """The names of its parts."""
+        """Names of the parts."""
         return [entry.name for entry in self._read.entries]
 
     def fix(self, where: Region, part: str | None = None, **keys: Any) -> Morph:
-        """Vertices that stay; returns the morph itself, as all that add something do."""
+        """Prescribe vertices that stay at rest.
+
+        Parameters
+        ----------
+        where : selector or sequence of int
+            The region.
+        part : str, optional
+            Its part; not needed if there is only one.
+        **keys
+            Further keys of the recipe entry.
+
+        Returns
+        -------
+        Morph
+            The same morph, so that calls can be chained.
+
+        Raises
+        ------
+        RecipeError
+            If the part is missing.
+        """
         return self._add("fixed", {**self._region(where, part), **keys})
 
     def handle(self, where: Region, name: str, part: str | None = None, **keys: Any) -> Morph:
-        """Vertices that move() moves as one rigid body."""
+        """Add a handle: vertices that move() moves as one rigid body.
+
+        Parameters
+        ----------
+        where : selector or sequence of int
+            The region.
+        name : str
+            Name of the handle.
+        part : str, optional
+            Its part; not needed if there is only one.
+        **keys
+            Further keys of the recipe entry.
+
+        Returns
+        -------
+        Morph
+            The same morph.
+
+        Raises
+        ------
+        RecipeError
+            If the part is missing.
+        """
         return self._add("handles", {"name": name, **self._region(where, part), **keys})
 
     def feature(self, where: Region, part: str | None = None, **keys: Any) -> Morph:
-        """Vertices that keep their form; keys: name, rotation, motion, size."""
+        """Add a form feature: vertices that keep their shape.
+
+        Parameters
+        ----------
+        where : selector or sequence of int
+            The region.
+        part : str, optional
+            Its part; not needed if there is only one.
+        **keys
+            name, rotation, motion and size, as in a recipe.
+
+        Returns
+        -------
+        Morph
+            The same morph.
+
+        Raises
+        ------
+        RecipeError
+            If the part is missing, or find() already searches for features.
+        """
         return self._add("features", {**self._region(where, part), **keys})
 
     def contact(self, a: Side, b: Side, type: str = "control mesh", **keys: Any) -> Morph:
-        """Two parts that stay together, each side as (part, where)."""
+        """Add a contact that keeps two parts together.
+
+        Parameters
+        ----------
+        a, b : tuple
+            The sides, each as (part, region).
+        type : str
+            Contact type, as in a recipe.
+        **keys
+            Further keys of the recipe entry.
+
+        Returns
+        -------
+        Morph
+            The same morph.
+
+        Raises
+        ------
+        RecipeError
+            If a part is missing, or find() already searches for contacts.
+        """
         sides = {key: self._region(where, part) for key, (part, where) in (("a", a), ("b", b))}
         return self._add("contacts", {"type": type, **sides, **keys})
 
     def find(self, features: Section = "auto", contacts: Section = "auto") -> Morph:
-        """All features and contacts that are found, in place of those listed; None: as they are."""
+        """Search for all features and contacts, in place of those added before.
+
+        Parameters
+        ----------
+        features, contacts : str, dict, list or None
+            "auto", options of the search, or a list of entries; None leaves the section unchanged.
+
+        Returns
+        -------
+        Morph
+            The same morph.
+        """
         for section, value in (("features", features), ("contacts", contacts)):
             if value is not None:
                 self.recipe[section] = value
         return self._changed()
 
     def move(self, handle: str, translation: Vector | None = None, **keys: Any) -> Morph:
-        """A handle's motion: translation (mm), rotation as in a recipe, or axis and degrees."""
+        """Set the motion of a handle.
+
+        Parameters
+        ----------
+        handle : str
+            Name of the handle.
+        translation : sequence of float, optional
+            Translation (3,), mm.
+        **keys
+            rotation as in a recipe, or axis (3,) and degrees; further keys of the pose entry.
+
+        Returns
+        -------
+        Morph
+            The same morph.
+        """
         if "axis" in keys or "degrees" in keys:
             keys["rotation"] = {"axis": list(keys.pop("axis")), "degrees": keys.pop("degrees")}
         shift = {} if translation is None else {"translation": list(translation)}
@@ -101,24 +235,64 @@ class Morph:
         return self
 
     def set(self, **keys: Any) -> Morph:
-        """Other keys of the recipe: primary, energy, propagation, refine, symmetry."""
+        """Set other keys of the recipe: primary, energy, propagation, refine, symmetry.
+
+        Returns
+        -------
+        Morph
+            The same morph.
+        """
         self.recipe |= keys
         return self._changed()
 
     def session(self) -> Session:
-        """The pre-processing phase, done once until something is added. Raises RecipeError."""
+        """Return the factorised session; it is built again only after a change of the recipe.
+
+        Returns
+        -------
+        Session
+            The session.
+
+        Raises
+        ------
+        RecipeError
+            If the recipe has faults.
+        """
         if self._session is None:
             self._session = Session(self.recipe, self._read.meshes)
         return self._session
 
     def deform(self) -> Result:
-        """All parts in the pose of move(). Raises RecipeError."""
+        """Return all parts in the pose of move().
+
+        Returns
+        -------
+        Result
+            Positions (n, 3) of every part, mm, and the report.
+
+        Raises
+        ------
+        RecipeError
+            If the recipe or the pose has faults.
+        """
         self._last = self.session().deform(self.recipe.get("pose", {}))
         return self._last
 
     def save(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
-        """Write the recipe; its files are named relative to it. force: over a file that SheetMorph
-        did not write, too."""
+        """Write the recipe, with paths relative to its folder.
+
+        Parameters
+        ----------
+        path : str or path
+            The recipe file.
+        force : bool
+            Overwrite a file that SheetMorph did not write.
+
+        Raises
+        ------
+        FileError
+            If the file cannot be written or must not be overwritten.
+        """
         target = Path(path)
         with FileSet("recipe", force=force) as files:
             recipe = self._seen_from(target.parent)
@@ -127,8 +301,25 @@ class Morph:
             files.commit()
 
     def write(self, folder: str | os.PathLike[str], *, force: bool = False) -> dict[str, Any]:
-        """Write the deformed parts into a folder, as the command run does; returns the report.
-        force: over files that SheetMorph did not write, too."""
+        """Write the deformed parts into a folder, as the command `run` does.
+
+        Parameters
+        ----------
+        folder : str or path
+            The output folder.
+        force : bool
+            Overwrite files that SheetMorph did not write.
+
+        Returns
+        -------
+        dict
+            The report; see ``report.schema.json``.
+
+        Raises
+        ------
+        RecipeError, FileError, KernelError, CertificateError, OSError
+            As run() raises them; no part is written then.
+        """
         with tempfile.TemporaryDirectory(prefix="sheetmorph-") as place:
             recipe = Path(place) / "recipe.json"
             recipe.write_text(json.dumps(self._seen_from(None)), "utf-8")
@@ -157,7 +348,7 @@ class Morph:
         return self
 
     def _seen_from(self, folder: Path | None) -> dict[str, Any]:
-        """The recipe with paths relative to a folder, absolute for None."""
+        """Return the recipe with paths relative to a folder, or absolute if it is None."""
         parts = []
         for part in self.recipe["parts"]:
             path = Path(part["file"]).resolve()
@@ -177,7 +368,7 @@ class Morph:
         return f"<Morph of {names}: {', '.join(told) or 'nothing marked'}>"
 
     def _repr_html_(self) -> str:
-        """What the recipe means, or the parts in their pose once they are deformed."""
+        """Return a picture for notebooks: the recipe, or the parts in their pose after deform()."""
         try:
             if self._last is not None:
                 return picture_html(scene_of_answer(self._last), repr(self))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures as notebooks show them."""
+"""Pictures for notebooks."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .pictures import PictureError, Scene, draw
 
 
 def picture_html(scene: Scene | None, title: str, told: str = "") -> str:
-    """A scene as an <img> with its data in it, below a line; what is told instead without one."""
+    """Return a title and an embedded picture of a scene, or a text if there is no scene."""
     line = f"<p><code>{html.escape(title)}</code></p>"
     if scene is not None:
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Settings of a recipe that have no effect, and how steel is strained, for the report."""
+"""Notes of the report: recipe settings without effect, and the strain of steel."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _ALL, _REGIONS, _BOUNDARIES = 1, 2, 3
 
 
 def notes_of(session: Preprocessed) -> list[str]:
-    """What the recipe asks for in vain, one sentence each."""
+    """Return a sentence for every setting of the recipe without effect."""
     model = session.model
     found = {"single": _single, "whole": _whole}.get(model.propagation.type, _local)(session)
     return [*_primary(model), *_thin(session), *_sheets(session), *found, *_joined(session)]
@@ -29,7 +29,7 @@ def _sheets(session: Preprocessed) -> Iterator[str]:
 
 
 def _joined(session: Preprocessed) -> Iterator[str]:
-    """What moves as one rigid body though it was listed one by one; a few of them."""
+    """Yield notes on features and contacts that form one rigid body unintentionally."""
     declared = [
         {Subject("feature", name) for name in entry.features}
         for entry in session.model.relations
@@ -46,7 +46,7 @@ def _joined(session: Preprocessed) -> Iterator[str]:
 
 
 def shape_notes(parts: list[dict[str, Any]]) -> Iterator[str]:
-    """How a pose strains steel, where that is worst; parts: as the report has them."""
+    """Yield sentences about the worst strain of steel; parts are the part entries of the report."""
     for entry in parts:
         if entry["steel"] is not None and entry["is_reached"]:
             yield from stretch_words(entry)
@@ -103,7 +103,7 @@ def _local(session: Preprocessed) -> Iterator[str]:
 
 
 def _mode(part: PartEntry, into: dict[str, str]) -> Iterator[str]:
-    """A part's mode against the types, by name, of the contacts that drive it."""
+    """Compare the mode of a part with the types of the contacts that drive it, by name."""
     lead = f'mode {part.mode} of "{part.name}" has no effect'
     if not into:
         yield f"{lead}: no contact drives the part"

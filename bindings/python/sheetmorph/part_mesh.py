@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The triangles of one part, in double, with the vertex ids its file uses."""
+"""The triangle mesh of one part in double precision, with the vertex ids of its file."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .labels import Labels
 
 
 def _of_kind(values: object, kinds: str, name: str) -> Array:
-    """The values as an array of numbers of some numpy kinds. Raises ValueError."""
+    """Return the values as an array of the allowed numpy kinds. Raises ValueError."""
     array = np.asarray(values)
     if array.size and array.dtype.kind not in kinds:
         wanted = "numbers" if "f" in kinds else "whole numbers"
@@ -24,7 +24,7 @@ def _of_kind(values: object, kinds: str, name: str) -> Array:
 
 
 def _as_int64(ids: Ids) -> Ints:
-    """The ids (k,); those that no file can have become the largest int64, which none has either."""
+    """Return the ids (k,); ids beyond int64 become the nearest int64, which no file uses."""
     try:
         return np.asarray(ids, dtype=np.int64)
     except OverflowError:
@@ -34,13 +34,27 @@ def _as_int64(ids: Ids) -> Ints:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PartMesh:
-    """One part at rest.
+    """The mesh of one part at rest.
 
-    points: (n, 3) float64, mm; triangles: (m, 3) int32, indices from 0; ids: (n,) int64 vertex ids
-    of the file (node ids of a deck), None for 0 .. n-1; name: for messages; labels: what the file
-    calls parts of it; thickness: mm, of the shells of a deck, 0 where the file does not tell.
-    Raises ValueError for other shapes, numbers that are not finite, indices out of range, equal
-    ids.
+    Parameters
+    ----------
+    points : array (n, 3), float64
+        Vertices, mm.
+    triangles : array (m, 3), int32
+        Vertex indices, from 0.
+    ids : array (n,), int64, optional
+        Vertex ids of the file, such as node ids of a deck; by default 0 to n-1.
+    name : str
+        Name for messages.
+    labels : Labels, optional
+        Names in the file for regions of the mesh.
+    thickness : float
+        Thickness of the shells of a deck, mm; 0 if the file does not give it.
+
+    Raises
+    ------
+    ValueError
+        For wrong shapes, non-finite numbers, indices out of range or duplicate ids.
     """
 
     points: Floats
@@ -53,7 +67,7 @@ class PartMesh:
     def __post_init__(self) -> None:
         points = np.ascontiguousarray(_of_kind(self.points, "fiu", "points"), dtype=np.float64)
         whole = _of_kind(self.triangles, "iu", "triangles")
-        # Indices beyond int32 must fail the range check, not wrap around.
+        # Indices beyond int32 must fail the range check and not wrap around.
         triangles = np.ascontiguousarray(np.clip(whole, -1, np.iinfo(np.int32).max), np.int32)
         object.__setattr__(self, "points", points)
         object.__setattr__(self, "triangles", triangles)
@@ -86,9 +100,21 @@ class PartMesh:
             raise ValueError("two vertices have the same id")
 
     def find(self, ids: Ids, prepared: bool = False) -> tuple[Ints, list[int]]:
-        """Indices (k,) int32 of the vertices with these file ids, and the ids that do not exist.
+        """Find vertices by their file ids.
 
-        prepared: they are those of the mesh that is deformed, which count from 0.
+        Parameters
+        ----------
+        ids : sequence of int
+            File ids.
+        prepared : bool
+            The ids count the vertices of the deformed mesh from 0.
+
+        Returns
+        -------
+        indices : array (k,), int32
+            Indices of the vertices found.
+        missing : list of int
+            Ids that do not exist.
         """
         wanted = _as_int64(ids)
         if self.ids is None or prepared:
@@ -104,7 +130,7 @@ class PartMesh:
         return indices[found].astype(np.int32), missing
 
     def _ordered_ids(self, ids: Ints) -> tuple[Ints, Ints]:
-        """Indices (n,) in the order of the ids, and the ids in that order."""
+        """Return the indices (n,) sorted by id, and the sorted ids; both are cached."""
         cached = self.__dict__.get("_order")
         if cached is None:
             order = np.argsort(ids, kind="stable")
@@ -113,34 +139,81 @@ class PartMesh:
         return cached
 
     def file_ids(self, indices: Ids) -> list[int]:
-        """File ids of the vertices with these indices."""
+        """Return the file ids of vertices.
+
+        Parameters
+        ----------
+        indices : sequence of int
+            Vertex indices.
+
+        Returns
+        -------
+        list of int
+            Their file ids.
+        """
         rows = np.asarray(indices, dtype=np.int64)
         found: list[int] = (rows if self.ids is None else self.ids[rows]).tolist()
         return found
 
     @property
     def preparation(self) -> dict[str, Any] | None:
-        """What weld and remesh did to the mesh of the file; None if they did nothing."""
+        """What merging and remeshing changed in the file's mesh; None if nothing."""
         return None
 
     @property
     def file_triangle_count(self) -> int:
-        """How many triangles a recipe may name."""
+        """Number of triangles of the file, which a recipe counts from 0."""
         return len(self.triangles)
 
     def place_on(
         self, _core: ModuleType, triangle: int, barycentric: Sequence[float]
     ) -> tuple[int, Sequence[float]]:
-        """Triangle and barycentric coordinates here of a point on a triangle of the file."""
+        """Map a point on a triangle of the file to this mesh.
+
+        Parameters
+        ----------
+        triangle : int
+            Triangle of the file.
+        barycentric : sequence of float
+            Barycentric coordinates (3,).
+
+        Returns
+        -------
+        triangle : int
+            Triangle of this mesh.
+        barycentric : sequence of float
+            Barycentric coordinates (3,).
+        """
         return triangle, barycentric
 
     def restricted(self, vertices: Ints, corners: Ints, name: str) -> PartMesh:
-        """Some of its vertices (k,), and triangles (m, 3) over them; the ids stay."""
+        """Return a part of the mesh, with the same file ids.
+
+        Parameters
+        ----------
+        vertices : array (k,), int
+            Vertices to keep.
+        corners : array (m, 3), int
+            Triangles over these vertices, indices from 0.
+        name : str
+            Name of the new mesh.
+
+        Returns
+        -------
+        PartMesh
+            The restricted mesh.
+        """
         ids = np.array(self.file_ids(vertices), dtype=np.int64)
         return PartMesh(self.points[vertices], corners, ids, name)
 
     def with_indices(self) -> PartMesh:
-        """The same mesh alone, its vertices called by their indices, in its labels too."""
+        """Return the mesh with vertex indices in place of file ids, also in its labels.
+
+        Returns
+        -------
+        PartMesh
+            The renumbered mesh.
+        """
         labels = self.labels
         if labels is not None:
             named = {name: self.find(ids)[0].tolist() for name, ids in labels.nodes.items()}
@@ -148,7 +221,18 @@ class PartMesh:
         return PartMesh(self.points, self.triangles, name=self.name, labels=labels)
 
     def describe_ids(self, prepared: bool = False) -> str:
-        """The ids a recipe may use, for messages: "0 .. 41" or "node ids 1 .. 9999 of the deck"."""
+        """Describe the ids that a recipe can use, such as "0 .. 41", for messages.
+
+        Parameters
+        ----------
+        prepared : bool
+            Describe the vertices of the deformed mesh.
+
+        Returns
+        -------
+        str
+            The description.
+        """
         if not len(self.points):
             return "it has none"
         if self.ids is None or prepared:

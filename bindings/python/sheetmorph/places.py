@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a run may write: never over what it reads, and only where files can stand."""
+"""Output paths of a run: they must not overwrite its inputs and must be valid file paths."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .files.identity import identity, is_one_of
 
 @dataclass(frozen=True)
 class Places:
-    """The files of a run. read: recipe, pose and sources; parts: the targets inside out."""
+    """The files of a run: read has recipe, pose and sources, parts has the targets in out."""
 
     read: Sequence[Path]
     out: Path
@@ -23,7 +23,7 @@ class Places:
     report: Path | None
 
     def check(self) -> None:
-        """Raises RecipeError for targets that are read or that cannot be files."""
+        """Check that no target is an input and that each can be a file. Raises RecipeError."""
         faults = _folder_faults(self.out)
         read = {identity(path) for path in self.read}
         for part in self.parts if not faults else ():
@@ -37,7 +37,7 @@ class Places:
             raise RecipeError(faults)
 
     def require_ours(self, files: FileSet) -> None:
-        """Raises FileError for targets that `files` must not write over, before any work."""
+        """Check before any work that files may overwrite the targets. Raises FileError."""
         files.reads += self.read
         for target in self.parts:
             files.require_ours(target)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A mesh after weld and remesh that still understands the vertex ids of its file."""
+"""A mesh after scaling, merging and remeshing that still accepts the vertex ids of its file."""
 
 from __future__ import annotations
 
@@ -18,17 +18,19 @@ from .progress import Progress
 if TYPE_CHECKING:
     from . import _core
 
-# Barycentric coordinates below it count as zero: the vertex lies on the edge or the corner.
+# Smaller barycentric coordinates count as zero: the vertex lies on an edge or at a corner.
 _ON_EDGE = 1e-9
-# The same where places are compared that rounding has moved.
+# The same limit for positions that rounding has moved.
 _BESIDE = 1e-4
 
 
 @dataclass(frozen=True)
 class Wanted:
-    """weld: tolerance in mm, None for none; edge: mm, None for no remesh; rims: see RIMS.
+    """The requested preparation of a mesh.
 
-    scale: mm in the unit of the coordinates given, 1000 for metres; it comes first.
+    weld is the merge tolerance in mm, None for no merging. edge is the target edge length in mm,
+    None for no remeshing. rims is one of RIMS. scale converts the coordinates to mm, such as 1000
+    for metres, and is applied first.
     """
 
     weld: float | None = None
@@ -45,14 +47,22 @@ RIMS = ("polygon", "circle")
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PreparedMesh(PartMesh):
-    """The mesh that is deformed; ids are those of ``source``, the mesh of the file.
+    """The mesh that is deformed; its ids are those of ``source``, the mesh of the file.
 
-    support: (n, j) vertices of source that each vertex lies between, the nearest first, repeated
-    where it lies on an edge or in a corner; vertex_of: (k,) of every vertex of
-    source the one in or nearest its place, -1 if there is none; done: for the report.
+    Attributes
+    ----------
+    source : PartMesh
+        The mesh of the file, mm.
+    support : array (n, j), int
+        Source vertices around each vertex, the nearest first; it is repeated on edges and at
+        corners.
+    vertex_of : array (k,), int
+        For every source vertex the vertex at or nearest to its position, -1 without one.
+    done : dict or None
+        The preparation, for the report.
     """
 
-    source: PartMesh = field(kw_only=True)  # in mm
+    source: PartMesh = field(kw_only=True)  # mm
     support: Ints = field(kw_only=True)
     vertex_of: Ints = field(kw_only=True)
     done: dict[str, Any] | None = field(kw_only=True)
@@ -66,7 +76,7 @@ class PreparedMesh(PartMesh):
         return len(self.source.triangles)
 
     def find(self, ids: Ids, prepared: bool = False) -> tuple[Ints, list[int]]:
-        """Vertices between the ones with these ids, and those nearest to them: (j,) int32."""
+        """Return vertices (j,) int32 between or nearest to the file ids, and the missing ids."""
         if prepared:
             return super().find(ids, prepared)
         old, missing = self.source.find(ids)
@@ -78,7 +88,7 @@ class PreparedMesh(PartMesh):
         return np.union1d(between, nearest[nearest >= 0]).astype(np.int32), missing
 
     def file_ids(self, indices: Ids) -> list[int]:
-        """The id of a vertex of the file in or beside the place of each."""
+        """Return for each vertex the file id of the nearest source vertex."""
         return self.source.file_ids(self.support[np.asarray(indices, dtype=np.int64), 0])
 
     def describe_ids(self, prepared: bool = False) -> str:
@@ -87,13 +97,13 @@ class PreparedMesh(PartMesh):
     def place_on(
         self, core: ModuleType, triangle: int, barycentric: Sequence[float]
     ) -> tuple[int, Sequence[float]]:
-        """The place nearest to a point on a triangle of the file."""
+        """Return the point on this mesh that is nearest to a point on a triangle of the file."""
         place = np.asarray(barycentric) @ self.source.points[self.source.triangles[triangle]]
         hit = core.PickingTree(self.points, self.triangles).nearest_point(place)
         return hit.triangle, tuple(hit.barycentric)
 
     def restricted(self, vertices: Ints, corners: Ints, name: str) -> PartMesh:
-        """Some of its vertices, and triangles (m, 3) over them."""
+        """Return a part of the mesh with vertices (k,) and triangles (m, 3) over them."""
         number = np.full(len(self.points) + 1, -1)
         number[vertices] = np.arange(len(vertices))
         return PreparedMesh(
@@ -110,11 +120,10 @@ class PreparedMesh(PartMesh):
 def prepared_mesh(
     core: ModuleType, mesh: PartMesh, wanted: Wanted, progress: Progress | None = None
 ) -> tuple[PartMesh, Ints]:
-    """The mesh after scale, weld and remesh (scale alone changes no triangle), and of each of
-    its triangles (m,) that of the file.
+    """Scale, merge and remesh a mesh; return it with the file triangle of each triangle (m,).
 
-    `progress(fraction, task)` returns whether to go on. Raises InvalidInput of the kernel (a
-    ValueError), and its Cancelled.
+    Scaling alone changes no triangle. progress(fraction, task) returns whether to continue. Raises
+    InvalidInput of the kernel (a ValueError) and its Cancelled.
     """
     if wanted.scale != 1.0:
         mesh = replace(mesh, points=wanted.scale * mesh.points)
@@ -151,9 +160,9 @@ def prepared_mesh(
 def _labels(
     core: ModuleType, mesh: PartMesh, made: tuple[Floats, Ints], triangle_of: Ints
 ) -> Labels | None:
-    """The labels of a mesh on the triangles made of it, each by the facet below its middle.
+    """Transfer the labels of a mesh to new triangles, by the facet under the centre of each.
 
-    triangle_of: of each the facet that it may lie on, which decides without a remesh.
+    triangle_of gives the candidate facet of each triangle, which is final without a remesh.
     """
     if mesh.labels is None:
         return None
@@ -169,7 +178,7 @@ def _labels(
 
 
 def _only_scaled(mesh: PartMesh, scale: float) -> PreparedMesh:
-    """Every vertex and every triangle as the file has them."""
+    """Return the scaled mesh with all vertices and triangles of the file."""
     ids = np.arange(len(mesh.points))
     counts = dict.fromkeys(("welded", "removed", "split", "turned"), 0)
     done = {"scale": scale, "weld": None, **counts, "remesh": None, "unsettled": None}
@@ -180,7 +189,7 @@ def _only_scaled(mesh: PartMesh, scale: float) -> PreparedMesh:
 
 
 def placed_on(core: ModuleType, made: PartMesh, before: PartMesh) -> PreparedMesh:
-    """A mesh that understands the ids of another one over the same facets, by their places."""
+    """Return a mesh that accepts the ids of another mesh of the same surface, by position."""
     old = core.PickingTree(before.points, before.triangles)
     new = core.PickingTree(made.points, made.triangles)
     below = [old.nearest_point(point) for point in made.points]
@@ -201,7 +210,7 @@ def _is_round(wanted: Wanted) -> bool:
 
 
 def _first_of(cure: _core.CuredMesh) -> Ints:
-    """(k,) of every vertex after the weld: the first vertex of the file in its place."""
+    """Return for every merged vertex (k,) the first vertex of the file at its position."""
     first = np.full(len(cure.points), -1)
     old = np.flatnonzero(cure.vertex_of >= 0)[::-1]
     first[cure.vertex_of[old]] = old
@@ -209,12 +218,12 @@ def _first_of(cure: _core.CuredMesh) -> Ints:
 
 
 def _corners_below(fresh: _core.RemeshedMesh, triangles: Ints) -> Ints:
-    """(n, 4) the nearest corner of the facet below each vertex, then the corners with a weight."""
+    """Return (n, 4): the nearest corner of the facet under each vertex, then its support."""
     return _with_weight(triangles[fresh.triangle], fresh.barycentric, _ON_EDGE)
 
 
 def _with_weight(corners: Ints, weights: Floats, least: float) -> Ints:
-    """(n, 4) the nearest corner, then the corners (n, 3) with more than a least weight."""
+    """Return (n, 4): the nearest corner, then the corners (n, 3) with more than a least weight."""
     most = corners[np.arange(len(corners)), weights.argmax(axis=1)]
     return np.column_stack([most, np.where(weights > least, corners, most[:, None])])
 

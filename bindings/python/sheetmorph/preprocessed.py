@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A morph before any pose: checked and factorised, and what is known of it from then on."""
+"""The set-up of a morph: the checked and factorised recipe, with measures that need no pose."""
 
 from __future__ import annotations
 
@@ -32,8 +32,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class RestShape:
-    """All parts with nothing moved, by name: positions (n, 3) mm, and those of the sheets that are
-    deformed of them."""
+    """All undeformed parts by name: positions (n, 3), and those of their deformed sheets, mm."""
 
     positions: dict[str, Floats]
     sheets: dict[str, Floats]
@@ -42,12 +41,27 @@ class RestShape:
 class Preprocessed:
     """The pre-processing phase of a recipe whose parts are given as meshes.
 
-    recipe: as in a recipe file ("file" of a part is not needed); meshes: PartMesh by part name;
-    progress(fraction, task) may return False to cancel (RuntimeError); previous: one of an
-    earlier state of the recipe, from which what did not change is taken over; found: what a search
-    in the files has put in place of "auto", else it is searched for here; told: what the selectors
-    came to that were resolved before.
-    Raises RecipeError, KernelError.
+    Parameters
+    ----------
+    recipe : dict
+        As in a recipe file; parts need no "file".
+    meshes : mapping
+        Part name to PartMesh.
+    progress : callable, optional
+        progress(fraction, task) may return False to cancel (RuntimeError).
+    previous : Preprocessed, optional
+        Set-up of an earlier state of the recipe; unchanged parts of it are reused.
+    found : Found, optional
+        Result of a search in the files for "auto" entries; by default the constructor searches.
+    told : mapping, optional
+        Remarks on selectors that were resolved before.
+
+    Raises
+    ------
+    RecipeError
+        If the recipe has faults.
+    KernelError
+        If the compiled kernel cannot be loaded.
     """
 
     def __init__(
@@ -85,7 +99,7 @@ class Preprocessed:
 
     @property
     def model(self) -> Model:
-        """The recipe's entries."""
+        """The entries of the recipe."""
         return self._model
 
     @property
@@ -95,17 +109,17 @@ class Preprocessed:
 
     @property
     def parts(self) -> list[str]:
-        """Part names in the recipe's order."""
+        """Part names in the order of the recipe."""
         return [part.name for part in self._model.parts]
 
     @property
     def order(self) -> list[str]:
-        """Names of the parts that are reached, in the order in which they are deformed."""
+        """Names of the reached parts, in the order of their deformation."""
         return list(self._kernel.order)
 
     @property
     def levels(self) -> dict[str, int]:
-        """By part: how many contacts it is away from the primary, -1 if not reached."""
+        """Part name to its number of contacts from the primary part; -1 if not reached."""
         return dict(zip(self.parts, self._kernel.levels))
 
     @property
@@ -117,42 +131,46 @@ class Preprocessed:
 
     @property
     def unreached(self) -> list[str]:
-        """Parts that nothing moves; they stay where they are."""
+        """Names of the parts that no motion reaches; they stay at rest."""
         return list(self._kernel.unreached)
 
     @property
     def joined_bodies(self) -> list[list[str]]:
-        """What is one rigid body because it shares vertices or a group, by body: "feature 'a'",
-        "rigid contact 'b'"."""
+        """Labels such as "feature 'a'" of entries that form one rigid body, one list per body.
+
+        Entries are joined if they share vertices or belong to one group.
+        """
         return [list(labels) for labels in self._kernel.joined_bodies]
 
     @property
     def joined_subjects(self) -> list[set[Subject]]:
-        """The entries of which each of the `joined_bodies` is made."""
+        """The entries of each body in `joined_bodies`."""
         return [{Subject(*pair) for pair in body} for body in self._kernel.joined_subjects]
 
     @property
     def loose_pieces(self) -> dict[str, tuple[int, int]]:
-        """By part: how many pieces, with how many vertices, nothing holds; see `unheld`."""
+        """Part name to the number of its pieces without prescribed vertices, and of their vertices.
+
+        See the recipe key `unheld`.
+        """
         found = self._kernel.loose_pieces
         return {self.parts[part]: (pieces, vertices) for part, pieces, vertices, _ in found}
 
     @property
     def loose_places(self) -> dict[str, Floats]:
-        """By part: where, at rest, one of the pieces is that nothing holds, (3,) mm."""
+        """Part name to a rest position (3,) on one of its loose pieces, mm."""
         return {self.parts[part]: place for part, _, _, place in self._kernel.loose_pieces}
 
     def is_held(self, part: str) -> bool:
-        """Whether a fixed region holds a part, its own or through rigid contacts."""
+        """Return whether a fixed region constrains a part, directly or through rigid contacts."""
         return bool(self._kernel.is_held(self.parts.index(part)))
 
     def region_vertices(self, region: RegionEntry) -> Ints:
-        """Indices (k,) of the vertices of a region of the model, or of the triangle of a point,
-        in its part."""
+        """Return the vertices (k,) of a region, or the triangle corners of a point."""
         return self._translator.indices(region)
 
     def contact_gap(self, contact: str) -> ContactGap:
-        """The gap of a contact."""
+        """Return the gap of a contact."""
         if contact not in self._contact_gaps:
             entry = self._contacts[contact]
             rest = self._rest_surface(entry.a.part), self._rest_surface(entry.b.part)
@@ -161,15 +179,16 @@ class Preprocessed:
         return self._contact_gaps[contact]
 
     def _rest_surface(self, part: str) -> Surface:
-        if part not in self._rest_surfaces:
+        found = self._rest_surfaces.get(part)
+        if found is None:
             mesh = self.meshes[part]
-            self._rest_surfaces[part] = Surface(mesh.points, mesh.triangles)
-        return self._rest_surfaces[part]
+            found = self._rest_surfaces[part] = Surface(mesh.points, mesh.triangles)
+        return found
 
     def kept_contacts(
         self, deformed: _core.Deformed, positions: Mapping[str, Floats]
     ) -> list[ContactResult]:
-        """How well the contacts of what the kernel made are kept at positions (n, 3), by part."""
+        """Return the fidelity of the contacts at positions (n, 3) by part name."""
         names, found = self.parts, []
         now = {
             name: Surface(places, self.meshes[name].triangles) for name, places in positions.items()
@@ -189,38 +208,40 @@ class Preprocessed:
                     region_size=float(told.region_size),
                 )
             )
+        # Their search trees are large, and the session keeps the gaps at rest themselves.
+        self._rest_surfaces.clear()
         return found
 
     def feature_edges(self, name: str) -> Ints:
-        """Edges (e, 2) of a form feature, as `certificate.feature_edges` tells them."""
+        """Return the edges (e, 2) of a form feature; see `certificate.feature_edges`."""
         if name not in self._feature_edges:
             mesh = self.meshes[self.parts[self._kernel_features[name].part]]
             self._feature_edges[name] = feature_edges(mesh, self.feature_vertices(name))
         return self._feature_edges[name]
 
     def edge_changes(self, part: str) -> EdgeChanges:
-        """Measures by how much edges of a part change."""
+        """Return the measure for edge length changes of a part."""
         if part not in self._edge_changes:
             mesh = self.meshes[part]
             self._edge_changes[part] = EdgeChanges(mesh.points, mesh.triangles)
         return self._edge_changes[part]
 
     def rest_crossings(self, part: str) -> Ints:
-        """Pairs (k, 2) of triangles of a part that meet at rest: `certificate.crossings`."""
+        """Return the pairs (k, 2) of triangles of a part that intersect at rest."""
         if part not in self._crossings:
             mesh = self.meshes[part]
             self._crossings[part] = crossings(self._core, mesh.points, mesh.triangles)
         return self._crossings[part]
 
     def cuts(self, part: str) -> Cuts:
-        """Where the mesh of a part is cut."""
+        """Return the cuts in the mesh of a part."""
         if part not in self._cuts:
             self._cuts[part] = Cuts(self.meshes[part])
         return self._cuts[part]
 
     @property
     def timings(self) -> dict[str, float]:
-        """Seconds of pre-processing, stage by stage."""
+        """Duration of each stage of the set-up, s."""
         return {timing.stage: float(timing.seconds) for timing in self._kernel.timings}
 
     @property
@@ -231,31 +252,30 @@ class Preprocessed:
         return float(np.linalg.norm(high - low))
 
     def thin_solid(self, part: str) -> _core.ThinSolid | None:
-        """The kernel's ThinSolid a part is solved as; None for one that is solved as it is."""
+        """Return the kernel's ThinSolid of a part, or None if the part is not solved as one."""
         return self._kernel.thin_solid(self.parts.index(part))
 
     def sheet(self, part: str) -> _core.TriangleMesh:
-        """The kernel's TriangleMesh that is deformed of a part: its own, or the middle of a thin
-        solid."""
+        """Return the deformed mesh of the kernel: the part, or the mid-surface of a thin solid."""
         return self._kernel.sheet(self.parts.index(part))
 
     def sheet_thickness(self, part: str) -> float:
-        """How thick the sheet of a part is as `steel`, mm."""
+        """Return the thickness of a part for the energy `steel`, mm."""
         return float(self._kernel.sheet_thickness(self.parts.index(part)))
 
     @cached_property
     def lump_count(self) -> int:
-        """How many places of thin solids are not thin; each is a form feature after the others."""
+        """Number of thick regions in thin solids; each is a form feature after the others."""
         solids = [self.thin_solid(part) for part in self.parts]
         return sum(len(solid.lumps) for solid in solids if solid is not None)
 
     def rest_shape(
         self, sizes: Mapping[str, float], exact: bool = True, progress: Progress | None = None
     ) -> RestShape:
-        """Return all parts with nothing moved, their form features in the sizes, mm, by name.
+        """Return the rest shape with the given feature sizes, name to mm.
 
-        A new size moves the vertices around a hole in the sheet: that is another rest shape and
-        no stretch. `exact`, `progress`: as for Session.deform().
+        A new size moves the vertices around a hole within the sheet. This is another rest shape and
+        not a strain. See Session.deform() for `exact` and `progress`.
         """
         key = (exact, *sorted(sizes.items()))
         if key not in self._rest_shapes:
@@ -285,7 +305,7 @@ class Preprocessed:
         )
 
     def moved_features(self, deformed: _core.Deformed) -> list[FeatureResult]:
-        """How every form feature moved in what the kernel made, lumps of thin solids last."""
+        """Return the motion of every form feature, thick regions of thin solids last."""
         names = self.parts
         entries = zip(deformed.features, self._kernel.features, self._kernel.shapes)
         return [
@@ -306,17 +326,17 @@ class Preprocessed:
         ]
 
     def feature_vertices(self, name: str) -> Ints:
-        """Indices (k,) of a form feature's vertices in its part."""
+        """Return the vertex indices (k,) of a form feature in its part."""
         found: Ints = self._kernel_features[name].vertices
         return found
 
     @cached_property
     def _kernel_features(self) -> dict[str, _core.FormFeature]:
-        """The kernel's form features by name, lumps of thin solids among them."""
+        """The form features of the kernel by name, including thick regions of thin solids."""
         return {entry.name: entry for entry in self._kernel.features}
 
     def rest_of(self, part: str, features: list[FeatureResult]) -> Floats:
-        """Positions (n, 3) of a part at rest, with the sizes its form features have; mm."""
+        """Return the rest positions (n, 3) of a part with its feature sizes, mm."""
         points = self.meshes[part].points
         rest = points.copy()
         for feature, shape in zip(features, self._kernel.shapes):
@@ -328,7 +348,7 @@ class Preprocessed:
     def control_mesh(
         self, contact: str | None, deformed: _core.Deformed
     ) -> tuple[Floats, Ints] | None:
-        """What Result.control_mesh() answers."""
+        """Return the control mesh in a pose; see Result.control_mesh()."""
         names = [entry.name for entry in self._model.contacts]
         if contact is not None and contact not in names:
             raise ValueError(f'there is no contact "{contact}"; names are {", ".join(names)}')

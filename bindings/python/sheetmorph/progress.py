@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How whatever takes long tells how far it is, everywhere in the package."""
+"""The progress callback of every long operation in the package."""
 
 from collections.abc import Callable
 
 Progress = Callable[[float, str], bool]
-"""progress(fraction from 0 to 1, task in words) returns whether to go on."""
+"""progress(fraction from 0 to 1, description) returns whether to continue."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the report tells of every region: how large it is, where, how its selector came to it."""
+"""Region entries of the report: size, location, and the matches of the selector."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from .recipe.model import RegionEntry
 
 
 def region_entries(session: Preprocessed) -> list[dict[str, Any]]:
-    """One entry a region and side of a contact, those that are points on triangles left out."""
+    """Return an entry for every region and contact side, without points on triangles."""
     return [_entry(session, region) for region in session.model.all_regions if not region.is_point]
 
 
 def region_remarks(session: Preprocessed) -> Iterator[Caution]:
-    """What a user should know of the selectors: that they took all, or something far away."""
+    """Warn about selectors that selected a whole part or something far away."""
     for region in session.model.all_regions:
         for remark in session.model.told.get(region.where, {}).get("remarks", ()):
             yield Caution(f'"{region.name}" on "{region.part}": {remark}', region.subject)
@@ -44,7 +44,7 @@ def _entry(session: Preprocessed, region: RegionEntry) -> dict[str, Any]:
 
 
 def _extent(mesh: PartMesh, vertices: Ints) -> tuple[float, list[float]]:
-    """The area of the triangles within, mm^2, and their centre, that of the vertices if none."""
+    """Return the area inside a region, mm^2, and its centroid, or that of the vertices."""
     inside = np.zeros(len(mesh.points), dtype=bool)
     inside[vertices] = True
     corners = mesh.points[mesh.triangles[inside[mesh.triangles].all(axis=1)]]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The report of a morph: what was kept, how exactly, and what a user should know."""
+"""The report of a morph: accuracy, certificate, notes and warnings."""
 
 from __future__ import annotations
 
@@ -38,8 +38,10 @@ Shown = TypeVar("Shown", bound=Answer)
 
 @dataclass(frozen=True)
 class WrittenPart:
-    """A part's file read again: its name, (n, 3) stored positions, precision, notes; shapes: what
-    a CAD file holds that was written beside it."""
+    """A part's file, read back: name, stored positions (n, 3), precision and notes.
+
+    shapes is the content of a CAD file that was written as well.
+    """
 
     file: str
     positions: Floats
@@ -50,20 +52,19 @@ class WrittenPart:
 
 @dataclass(frozen=True)
 class FilesTold:
-    """The report's entries of decks and files of joints; missing: what the readers could not read,
-    one sentence each."""
+    """Report entries of decks and of joint files; missing has a sentence for skipped content."""
 
     decks: list[dict[str, Any]] = field(default_factory=list)
     joint_files: list[dict[str, Any]] = field(default_factory=list)
     missing: list[str] = field(default_factory=list)
 
     def texts(self, key: str) -> list[str]:
-        """All `failures` or `notes`."""
+        """Return the `failures` or `notes` of all files."""
         return [text for file in (*self.decks, *self.joint_files) for text in file[key]]
 
 
 def report_schema() -> dict[str, Any]:
-    """The published JSON Schema of the report."""
+    """Return the published JSON Schema of the report."""
     text = resources.files("sheetmorph").joinpath("report.schema.json").read_text("utf-8")
     found: dict[str, Any] = json.loads(text)
     return found
@@ -77,8 +78,11 @@ def make_report(
     beside: FilesTold | None = None,
     is_brief: bool = False,
 ) -> dict[str, Any]:
-    """The report of a result; `written`: its files read again, by part name; beside: what decks and
-    files of joints say; is_brief: without where the sheet is stretched, and the regions."""
+    """Return the report of a result.
+
+    written holds the parts as read back from their files, by name. beside holds the entries of
+    decks and joint files. is_brief leaves out the stretch of the sheet and the regions.
+    """
     session, files, beside = result.session, written or {}, beside or FilesTold()
     stored = as_written(result, files)
     rest = (mesh.points for mesh in session.meshes.values())
@@ -117,12 +121,12 @@ def _notes(session: Preprocessed, parts: list[dict[str, Any]], beside: FilesTold
 
 
 def warnings_in(result: Answer) -> list[Caution]:
-    """The warnings of a report of a result whose files are not written."""
+    """Return the report's warnings for a result without files."""
     return warnings_of(result, [part_report(result, name, None, True) for name in result.positions])
 
 
 def as_written(result: Shown, files: Mapping[str, WrittenPart]) -> Shown:
-    """The answer with the positions that its files hold, by part; itself if they are the same."""
+    """Return the answer with the positions stored in the files, or itself if they are equal."""
     stored = {name: part.positions for name, part in files.items()}
     if all(np.array_equal(result.positions[name], places) for name, places in stored.items()):
         return result
@@ -130,7 +134,7 @@ def as_written(result: Shown, files: Mapping[str, WrittenPart]) -> Shown:
 
 
 def shape_faults(parts: list[dict[str, Any]]) -> list[str]:
-    """A sentence for everything in written CAD files that misses what was asked for."""
+    """Return a sentence for everything in written CAD files that misses the requirements."""
     return [
         text
         for part in parts
@@ -153,7 +157,7 @@ def _symmetry(plane: SymmetryEntry | None) -> dict[str, list[float]] | None:
 
 
 def _torn(features: list[dict[str, Any]], tol: float) -> list[str]:
-    """A sentence for every feature that is off by more than a tolerance, mm."""
+    """Return a sentence for every feature whose error exceeds the tolerance, mm."""
     return [
         f"{entry['name']} on {entry['part']}: {_worst_error(entry):.3g} mm"
         for entry in features
@@ -167,7 +171,7 @@ def _worst_error(feature: Mapping[str, Any]) -> float:
 
 
 def rigidity(feature: Mapping[str, Any]) -> float:
-    """The edge error of a feature, mm: in its file, or in memory where nothing is written."""
+    """Return the edge error of a feature, mm: from the written file if there is one."""
     written: float | None = feature["file_edge_error"]
     return float(feature["edge_error"] if written is None else written)
 
@@ -216,8 +220,7 @@ def _feature(
 def part_report(
     result: Answer, name: str, written: WrittenPart | None = None, is_brief: bool = False
 ) -> dict[str, Any]:
-    """The entry of a part in the report but for its file; is_brief: without where it is
-    stretched."""
+    """Return the report entry of a part without its file; is_brief leaves out the stretch."""
     mesh = result.session.meshes[name]
     positions = result.positions[name]
     report = {
@@ -244,7 +247,7 @@ def part_report(
 def _told_of_file(
     result: Answer, part: str, files: Mapping[str, WrittenPart]
 ) -> dict[str, dict[str, Any] | None]:
-    """The entry "file" of a part; result: what its file should hold."""
+    """Return the entry "file" of a part; result has the expected positions."""
     if part not in files:
         return {"file": None}
     written = files[part]
@@ -258,7 +261,7 @@ def _told_of_file(
 
 
 def _measured(result: Answer, part: str, is_brief: bool) -> dict[str, Any]:
-    """What of the entry of a part does not ask for its file."""
+    """Return the report entries of a part that do not depend on its file."""
     return {
         "quality": _quality(result, part),
         "stretch": None if is_brief else stretch_report(result, part),
@@ -291,7 +294,7 @@ def _quality(result: Answer, part: str) -> dict[str, Any]:
 
 
 def _middle_of_first(mesh: PartMesh, positions: Floats, triangles: Ints) -> list[float] | None:
-    """Where the first of some triangles is; None without any."""
+    """Return the centroid of the first of some triangles, or None."""
     if not len(triangles):
         return None
     found: list[float] = positions[mesh.triangles[triangles[0]]].mean(axis=0).tolist()
@@ -309,7 +312,7 @@ def _shape_of(found: Any) -> dict[str, Any]:
         "worst_angle_degrees": float(found.worst_angle_degrees),
         "worst_aspect": float(found.worst_aspect),
     }
-    # Nothing to measure where every triangle is degenerate; JSON has neither infinity nor NaN.
+    # A mesh of degenerate triangles has no such value, and JSON has neither infinity nor NaN.
     measured = {key: value if math.isfinite(value) else None for key, value in values.items()}
     return {**measured, "degenerate": int(found.degenerate)}
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How one form feature moved, and how well one contact was kept."""
+"""Motion of a form feature, and fidelity of a contact."""
 
 from __future__ import annotations
 
@@ -11,13 +11,26 @@ from .arrays import Floats
 
 @dataclass(frozen=True)
 class FeatureResult:
-    """How a form feature moved: p = centre + translation + rotation (p_hat - centre).
+    """Motion of a form feature: p = centre + translation + rotation (p_hat - centre).
 
-    rotation: (3, 3); translation, centre: (3,), mm; edge_error: worst |p_i - p_j - R (p_hat_i -
-    p_hat_j)| over its edges, mm (2.4); rotation_type: "free", "interpolated" or "prescribed";
-    motion: its type; size: mm, None unless it is set, then kind is "hole" (diameter), "slot"
-    (length) or "cylinder" (radius), p_hat has that size, and outline_error is the worst distance of
-    its rim from the exact outline, mm.
+    Attributes
+    ----------
+    rotation : array (3, 3)
+        Rotation matrix.
+    translation, centre : array (3,)
+        mm.
+    edge_error : float
+        Worst |p_i - p_j - R (p_hat_i - p_hat_j)| over the feature's edges, mm (2.4).
+    rotation_type : str
+        "free", "interpolated" or "prescribed".
+    motion : str
+        Motion type.
+    kind : str or None
+        "hole", "slot" or "cylinder" if a size is set.
+    size : float or None
+        Diameter of a hole, length of a slot or radius of a cylinder, mm; p_hat has this size.
+    outline_error : float or None
+        Largest distance of the rim from the exact outline, mm, if a size is set.
     """
 
     name: str
@@ -35,12 +48,19 @@ class FeatureResult:
 
 @dataclass(frozen=True)
 class ContactResult:
-    """How well a contact between two reached parts was kept, mm.
+    """Fidelity of a contact between two reached parts.
 
-    deviation: farthest a driven vertex of `target` is from the best rigid motion of the side on
-    `source`; gap_change: worst change of the distance from a vertex of either side to the other
-    part; place: where that vertex is, None without vertices; region_size: diagonal of both sides
-    at rest, to compare with.
+    Attributes
+    ----------
+    deviation : float
+        Largest distance of a driven vertex of `target` from the best rigid motion of the side on
+        `source`, mm.
+    gap_change : float
+        Largest change of the distance from a vertex of either side to the other part, mm.
+    place : list of float or None
+        Position (3,) of that vertex, mm; None without vertices.
+    region_size : float
+        Diagonal of both sides at rest, for comparison, mm.
     """
 
     name: str

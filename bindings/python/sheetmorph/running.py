@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a recipe file to a folder of deformed parts: everything is checked before a file appears."""
+"""From a recipe file to a folder of deformed parts; all checks run before a file appears."""
 
 from __future__ import annotations
 
@@ -31,13 +31,21 @@ from .session import Result, Session
 from .shape_report import WrittenShapes
 
 
-# Before why a check could not deform anything.
+# Code of a warning that check() could not deform the parts.
 NOT_TRIED = "not tried out"
 
 
 class CertificateError(RuntimeError):
-    """A form feature lost its form, a part is not solved to its end, a shape cannot follow its
-    mesh, or the warnings of a strict run; ``report`` tells more."""
+    """The result of a run fails its certificate; ``report`` has the details.
+
+    A form feature lost its shape, a solve did not converge, a CAD shape cannot follow its mesh, or
+    a strict run has warnings.
+
+    Parameters
+    ----------
+    report : dict
+        The report of the run.
+    """
 
     def __init__(self, report: dict[str, Any]):
         failed = [*unsettled(report["parts"]), *shape_faults(report["parts"])]
@@ -67,11 +75,30 @@ def check(
     progress: Progress | None = None,
     force: bool = False,
 ) -> list[str]:
-    """Do what run() does with a recipe, and with each of its poses, into a folder thrown away.
+    """Run a recipe with each of its poses into a temporary folder, to check it.
 
-    Its options are those of run(); out_dir, report: nothing is written there; pose: this one alone;
-    judge(folder): called for each folder that was written. Returns the warnings of run(), and what
-    could not be checked, one sentence each. Raises what run() raises.
+    Parameters
+    ----------
+    recipe_path : str or path
+        The recipe file.
+    out_dir, report : str or path, optional
+        Intended outputs of a run; their paths are checked, nothing is written there.
+    pose : dict, str or path, optional
+        Check only this pose.
+    strict, pictures, step, wide, repair, progress, force
+        Options of run().
+    judge : callable, optional
+        judge(folder) is called for each folder with written parts.
+
+    Returns
+    -------
+    list of str
+        Warnings of the run, and a sentence for everything that could not be checked.
+
+    Raises
+    ------
+    RecipeError, FileError, CertificateError, PictureError, OSError
+        As run() raises them.
     """
     path, found = Path(recipe_path), list[str]()
     ways = Ways(strict, progress or _keep_going, pictures, step, repair)
@@ -95,7 +122,7 @@ def check(
 
 
 def _tried(morph: _Morph, pose: dict[str, Any] | None, folder: Path, lead: str) -> list[str]:
-    """Write a pose into a folder thrown away; returns its warnings, each after a lead."""
+    """Write a pose to a temporary folder and return its warnings, each with a prefix."""
     report = morph.write(pose, morph.places([], folder, None), FileSet())
     return [warning.after(lead) for warning in report["warnings"]]
 
@@ -103,10 +130,28 @@ def _tried(morph: _Morph, pose: dict[str, Any] | None, folder: Path, lead: str) 
 def resolve(
     recipe_path: str | Path, progress: Progress | None = None, remarks: list[str] | None = None
 ) -> dict[str, Any]:
-    """A recipe file with vertex ids in place of its selectors, and what was found for "auto".
+    """Return a recipe with vertex ids in place of its selectors and "auto" entries.
 
-    The paths of the parts stay as the file has them. remarks: gets a sentence for each selector
-    that took all of a part, or something far away. Raises RecipeError, KernelError.
+    Parameters
+    ----------
+    recipe_path : str or path
+        The recipe file.
+    progress : callable, optional
+        progress(fraction, task) returns whether to continue.
+    remarks : list of str, optional
+        Receives a sentence for each selector that selected a whole part or something far away.
+
+    Returns
+    -------
+    dict
+        The recipe; the paths of its parts are unchanged.
+
+    Raises
+    ------
+    RecipeError
+        If the recipe has faults.
+    KernelError
+        If the compiled kernel cannot be loaded.
     """
     path = Path(recipe_path)
     recipe = read_json(path)
@@ -133,18 +178,46 @@ def run(
     progress: Progress | None = None,
     force: bool = False,
 ) -> dict[str, Any]:
-    """Deform the parts of a recipe file and write them under out_dir; returns the report.
+    """Deform the parts of a recipe file and write them to a folder.
 
-    pose: instead of the recipe's a pose, the name of one of its `poses`, or the path of a JSON file
-    with one; report: path to write
-    the report to; files: a new FileSet for the parts, whose ``committed`` tells, also after an
-    interrupt, whether they were written; strict: the report's warnings are failures of the
-    certificate; pictures: before.png and after.png beside the parts; step: parts of CAD files are
-    written as STEP, too; wide: moved nodes of decks get long fields; repair: criteria until which
-    nodes of decks slide in their sheet; progress(fraction, task)
-    returns whether to go on; force: files that SheetMorph did not write are written over. Raises
-    RecipeError, FileError, KernelError, CertificateError, PictureError, OSError; then no part is
-    written.
+    Parameters
+    ----------
+    recipe_path : str or path
+        The recipe file.
+    out_dir : str or path
+        Folder for the parts.
+    pose : dict, str or path, optional
+        A pose, the name of one of the recipe's `poses`, or a JSON file with a pose; by default the
+        recipe's own pose.
+    report : str or path, optional
+        File for the report.
+    files : FileSet, optional
+        A new file set for the parts; its ``committed`` is true once they are written, also after an
+        interrupt.
+    strict : bool
+        Treat warnings as failures of the certificate.
+    pictures : bool
+        Write before.png and after.png beside the parts.
+    step : bool
+        Write the parts of CAD files also as STEP.
+    wide : bool
+        Write moved nodes of decks in long fields.
+    repair : str, optional
+        Element criteria; nodes of decks slide in the sheet until the elements meet them.
+    progress : callable, optional
+        progress(fraction, task) returns whether to continue.
+    force : bool
+        Overwrite files that SheetMorph did not write.
+
+    Returns
+    -------
+    dict
+        The report; see ``report.schema.json``.
+
+    Raises
+    ------
+    RecipeError, FileError, KernelError, CertificateError, PictureError, OSError
+        No part is written then.
     """
     path, out = Path(recipe_path), Path(out_dir)
     morph = _Morph(path, Ways(strict, progress or _keep_going, pictures, step, repair))
@@ -160,9 +233,7 @@ def run(
 
 @dataclass(frozen=True)
 class Ways:
-    """strict: warnings are failures of the certificate; progress: of the long steps; pictures: are
-    drawn beside the parts; step: parts of CAD files are written as STEP, too; repair: criteria,
-    instead of the recipe's."""
+    """Options of a run, as for run(); repair overrides the criteria of the recipe."""
 
     strict: bool
     progress: Progress
@@ -172,7 +243,7 @@ class Ways:
 
 
 class _Morph:
-    """A recipe file on its way to files; all that run() and check() have in common."""
+    """A recipe file on its way to written parts; the common work of run() and check()."""
 
     def __init__(self, path: Path, ways: Ways):
         self.recipe = read_json(path)
@@ -185,13 +256,16 @@ class _Morph:
         self._timings = {"read": time.perf_counter() - begin}
 
     def widen(self, is_wide: bool) -> None:
-        """Whether numbers in decks get the longest fields there are."""
+        """Set whether decks get the widest possible number fields."""
         for source in self._parts.sources:
             source.file.is_wide = is_wide
 
     def pose(self, pose: Any) -> tuple[list[Path], dict[str, Any] | None]:
-        """The file of a pose if it has one, and the pose: given as such, by its name in the recipe
-        or by its file; None is the recipe's own. Raises RecipeError."""
+        """Return the files read for a pose, and the pose. Raises RecipeError.
+
+        A pose is given as a dict, by its name in the recipe, or by its file; None stands for the
+        recipe's own.
+        """
         found = _named_pose(self.recipe, pose)
         if found is None or isinstance(found, dict):
             return [], found
@@ -199,7 +273,7 @@ class _Morph:
             return [Path(found)], read_json(found)
 
     def places(self, read: list[Path], out: Path, report: Path | None) -> Places:
-        """Where its files go. Raises RecipeError."""
+        """Return the checked output paths. Raises RecipeError."""
         sources = self._parts.sources
         targets = [place for source in sources for place in source.file.targets(out)]
         targets += [out / s.writing.name_for(s.file) for s in sources if s.writing is not None]
@@ -212,7 +286,7 @@ class _Morph:
         return places
 
     def factorise(self) -> None:
-        """The pre-processing phase."""
+        """Run the pre-processing phase."""
         with named_in(self._path):
             ids = self._parts.resolved
             self._session = Session(
@@ -221,7 +295,7 @@ class _Morph:
             )  # fmt: skip
 
     def write(self, pose: dict[str, Any] | None, places: Places, files: FileSet) -> dict[str, Any]:
-        """Deform, certify and write; returns the report."""
+        """Deform, certify and write the parts; return the report."""
         begin = time.perf_counter()
         self._ways.progress(0.95, "deforming")
         result = self._session.deform(pose, progress=self._deforming)
@@ -246,7 +320,7 @@ class _Morph:
         return writer.write(files)
 
     def _repaired(self, result: Result) -> Result:
-        """The same with elements of decks repaired, if that is wanted."""
+        """Return the result with repaired deck elements, if options or recipe request it."""
         asked = self._ways.repair or self.recipe.get("repair")
         criteria = criteria_of(asked, self._path.parent)
         if criteria is None:
@@ -259,7 +333,7 @@ class _Morph:
 
 
 def _named_pose(recipe: Any, pose: Any) -> Any:
-    """The pose of the recipe that a name stands for; anything else as it is."""
+    """Return the pose with this name in the recipe; return other values unchanged."""
     named = recipe.get("poses") if isinstance(recipe, dict) else None
     if isinstance(pose, str) and isinstance(named, dict) and pose in named:
         return named[pose]
@@ -267,7 +341,7 @@ def _named_pose(recipe: Any, pose: Any) -> Any:
 
 
 def _keep_going(_fraction: float, _task: str) -> bool:
-    """Being called is enough: Python handles Ctrl-C here."""
+    """Return True: during a call Python handles Ctrl-C."""
     return True
 
 
@@ -285,7 +359,7 @@ def _certify(
 
 
 def _fail(found: dict[str, Any], report: Path | None, files: FileSet) -> None:
-    """Write the report alone, by the rules of `files`. Raises CertificateError."""
+    """Write only the report, by the rules of `files`. Raises CertificateError."""
     if report is not None:
         with FileSet(force=files.force) as out:
             out.reads = files.reads
@@ -296,7 +370,7 @@ def _fail(found: dict[str, Any], report: Path | None, files: FileSet) -> None:
 
 @dataclass(frozen=True)
 class Writer:
-    """Writes the parts of a certified result and the report, all or none."""
+    """The output of a certified result: its parts and the report, all files or none."""
 
     result: Result
     sources: list[Source]
@@ -307,7 +381,7 @@ class Writer:
     joint_files: Sequence[JointSource] = ()
 
     def write(self, files: FileSet) -> dict[str, Any]:
-        """Returns the report."""
+        """Write all files and return the report."""
         out = self.places.out
         new_folders = [folder for folder in (out, *out.parents) if not folder.exists()]
         try:
@@ -324,8 +398,10 @@ class Writer:
         return report
 
     def write_parts(self) -> tuple[dict[str, Any], dict[str, WrittenPart]]:
-        """The same into a folder that is new; its owner flushes it, or removes it. Returns a brief
-        report, and the parts as their files hold them, by name."""
+        """Write into a new folder; return a brief report and the parts as read back, by name.
+
+        The caller flushes the folder or removes it.
+        """
         with FileSet(flushed=False) as files:
             report, parts = self._fill(files, True)
             files.commit()
@@ -350,7 +426,7 @@ class Writer:
         return report, parts
 
     def _written_parts(self, files: FileSet, source: Source) -> dict[str, WrittenPart]:
-        """Write the file of some parts; what it holds of each, by part name."""
+        """Write the file of some parts, and return its content by part name."""
         file = source.file
         positions = source.positions(self.result.positions)
         temporary = file.write_into(files, self.places.out / file.output_name, positions)
@@ -371,7 +447,7 @@ class Writer:
     def _written_shapes(
         self, files: FileSet, source: Source, positions: Floats
     ) -> WrittenShapes | None:
-        """Write the shapes of a file besides its mesh; None if that is not wanted."""
+        """Write the CAD shapes of a file beside its mesh, or return None if not wanted."""
         file, writing = source.file, source.writing
         if writing is None or not isinstance(file, CadFile):
             return None
@@ -390,7 +466,7 @@ class Writer:
 def told_of_files(
     result: Result, sources: Sequence[Source], joint_files: Sequence[JointSource]
 ) -> FilesTold:
-    """What the report tells of every deck, and of every file of welds and bolts."""
+    """Return the report entries of all decks and joint files."""
     told = (source.file.told(source.positions(result.positions)) for source in sources)
     joints = [one.told(result.positions) for one in joint_files]
     missing = [
@@ -400,7 +476,7 @@ def told_of_files(
 
 
 def _remove_empty(folders: list[Path]) -> None:
-    """Remove folders that a failed run made, the innermost first."""
+    """Remove the empty folders of a failed run, the innermost first."""
     for folder in folders:
         if not folder.is_dir() or any(folder.iterdir()):
             return

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A morph in memory: checked and factorised once, then deformed pose by pose."""
+"""A morph in memory: checked and factorised once, then deformed for each pose."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +18,7 @@ from .progress import Progress
 from .recipe import check_pose
 from .recipe.pose import Pose
 from .report import make_report, warnings_in
-from .translation import Numbers, kernel_faults
+from .translation import kernel_faults
 
 if TYPE_CHECKING:
     from . import _core
@@ -27,7 +26,24 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Result(Answer):
-    """All parts in one pose, with the report about it."""
+    """All parts in one pose, with the report on it.
+
+    Attributes
+    ----------
+    positions : dict
+        Part name to deformed vertices, (n, 3) float64, mm, read-only.
+    spread : float
+        Largest distance between two targets that contacts give one vertex, mm; 0 if the result is
+        not exact.
+    pose : dict
+        The pose, as in a recipe.
+    previews : tuple of str
+        Parts that an exact answer refines further, so their positions may still change.
+    unsettled : dict
+        Part name to a sentence about a solve that did not converge.
+    repairs : list of dict
+        Element repairs in decks.
+    """
 
     def __repr__(self) -> str:
         moved = max(
@@ -37,30 +53,77 @@ class Result(Answer):
         return f"<Result of {', '.join(self.positions)}: moved by up to {moved:.4g} mm>"
 
     def _repr_html_(self) -> str:
-        """The parts, coloured by how far each place moved, for notebooks."""
+        """Return a picture for notebooks, with the parts coloured by displacement."""
         return picture_html(scene_of_answer(self), repr(self))
 
     def control_mesh(self, contact: str | None = None) -> tuple[Floats, Ints] | None:
-        """Vertices (m, 3) mm and triangles (t, 3) of a contact's control mesh in this pose.
+        """Return a control mesh in this pose.
 
-        contact None: the single one. None if there is no such control mesh; ValueError for an
-        unknown contact.
+        Parameters
+        ----------
+        contact : str, optional
+            Name of the contact; None for the single control mesh.
+
+        Returns
+        -------
+        tuple of array or None
+            Vertices (m, 3), mm, and triangles (t, 3); None if the contact has no control mesh.
+
+        Raises
+        ------
+        ValueError
+            If the name belongs to none of the contacts.
         """
         return self.session.control_mesh(contact, self.deformed)
 
     def report(self) -> dict[str, Any]:
-        """The report (report.schema.json) without what concerns files."""
+        """Return the report without entries on files.
+
+        Returns
+        -------
+        dict
+            See ``report.schema.json``.
+        """
         return make_report(self)
 
     def warnings(self) -> list[Caution]:
-        """The report's warnings, one sentence each, which knows its `objects`."""
+        """Return the warnings of the report.
+
+        Returns
+        -------
+        list of Caution
+            One sentence each; its ``objects`` are the recipe entries that it is about.
+        """
         return warnings_in(self)
 
 
 class Session(Preprocessed):
-    """A morph whose parts are given as meshes; its arguments are those of `Preprocessed`.
+    """A morph whose parts are given as meshes.
 
-    deform() answers a pose, always from rest; begin_drag() many poses of the same handles.
+    deform() computes one pose, always from rest. begin_drag() prepares many poses of the same
+    handles.
+
+    Parameters
+    ----------
+    recipe : dict
+        As in a recipe file; parts need no "file".
+    meshes : mapping
+        Part name to PartMesh.
+    progress : callable, optional
+        progress(fraction, task) may return False to cancel (RuntimeError).
+    previous : Preprocessed, optional
+        Session of an earlier state of the recipe; unchanged parts of it are reused.
+    found : Found, optional
+        Result of a search in the files for "auto" entries; by default the constructor searches.
+    told : mapping, optional
+        Remarks on selectors that were resolved before.
+
+    Raises
+    ------
+    RecipeError
+        If the recipe has faults.
+    KernelError
+        If the compiled kernel cannot be loaded.
     """
 
     def __repr__(self) -> str:
@@ -72,10 +135,27 @@ class Session(Preprocessed):
         exact: bool = True,
         progress: Progress | None = None,
     ) -> Result:
-        """All parts in a pose, always from rest; None: the recipe's pose.
+        """Return all parts in a pose, always computed from rest.
 
-        exact=False is the fast way while dragging, 1e-6 of the size, for `steel` the linear shape.
-        progress(fraction, task) may return False to cancel (RuntimeError). Raises RecipeError.
+        Parameters
+        ----------
+        pose : dict, optional
+            The pose, as in a recipe; by default the recipe's own.
+        exact : bool
+            False gives a fast answer for dragging, accurate to 1e-6 of the size; for the energy
+            `steel` it is the linear shape.
+        progress : callable, optional
+            progress(fraction, task) may return False to cancel (RuntimeError).
+
+        Returns
+        -------
+        Result
+            Positions (n, 3) of every part, mm, and the report.
+
+        Raises
+        ------
+        RecipeError
+            If the pose has faults.
         """
         wanted = self._recipe_pose if pose is None else pose
         moved = check_pose(self._model, wanted)
@@ -83,27 +163,25 @@ class Session(Preprocessed):
             deformed = self._kernel.deform(self._translator.pose(moved), exact, progress)
         return self._result(deformed, wanted)
 
-    def pose_numbers(self, pose: Pose) -> Numbers:
-        """What a pose tells the kernel, in numbers that are closed forms of its entries."""
-        return self._translator.numbers(check_pose(self._model, pose))
-
-    def position_rates(self, pose: Pose, directions: Sequence[Numbers]) -> list[dict[str, Floats]]:
-        """How exact positions (n, 3) change along directions of pose_numbers(), by part.
-
-        The solves are differentiated with the factors that are there: a substitution or two a
-        direction. Raises RecipeError, NoDerivative of the kernel where they cannot be: `steel`,
-        `refine`, thin solids, a plane of symmetry, `coaxial` and `distance`, whole turns.
-        """
-        told = self._translator.pose(check_pose(self._model, pose))
-        rates = [self._translator.pose_rate(numbers) for numbers in directions]
-        with kernel_faults(self._core):
-            found = self._kernel.rates(told, rates)
-        return [dict(zip(self.parts, of_parts)) for of_parts in found]
-
     def begin_drag(self, handles: list[str], pose: Pose | None = None) -> Drag:
-        """Live frames while the named handles move, the others staying as in `pose`.
+        """Start live frames for handles; the other entries stay as in the pose.
 
-        Raises RecipeError for a name that is no handle.
+        Parameters
+        ----------
+        handles : list of str
+            Names of the handles that move.
+        pose : dict, optional
+            The pose at the start; by default the recipe's own.
+
+        Returns
+        -------
+        Drag
+            The live frames.
+
+        Raises
+        ------
+        RecipeError
+            If a name does not belong to a handle.
         """
         wanted = self._recipe_pose if pose is None else pose
         start = self._translator.pose(check_pose(self._model, wanted))
@@ -111,7 +189,25 @@ class Session(Preprocessed):
             return Drag(self, self._kernel.begin_drag(handles, start))
 
     def dragged(self, kernel_drag: _core.LiveDrag, pose: Pose) -> Result:
-        """What Drag.deform() answers."""
+        """Return the frame of a kernel drag; called by Drag.deform().
+
+        Parameters
+        ----------
+        kernel_drag : _core.LiveDrag
+            The drag in the kernel.
+        pose : dict
+            The pose, as in a recipe.
+
+        Returns
+        -------
+        Result
+            Positions (n, 3) of every part, mm.
+
+        Raises
+        ------
+        RecipeError
+            If the pose has faults.
+        """
         moved = check_pose(self._model, pose)
         with kernel_faults(self._core):
             return self._result(kernel_drag.frame(self._translator.pose(moved)), pose)
@@ -129,10 +225,11 @@ class Session(Preprocessed):
 
 
 class Drag:
-    """Live frames of handles that are dragged, begun by Session.begin_drag().
+    """Live frames of dragged handles; Session.begin_drag() creates it.
 
-    In the background the kernel works out how the parts answer to the handles; until a part is
-    done, and in poses that turn more than two of its handles, frames take longer, not other values.
+    In the background the kernel computes the response of the parts to the handles. Frames take
+    longer until a part is done, and in poses that turn more than two of its handles. Their values
+    are the same.
     """
 
     def __init__(self, session: Session, kernel_drag: _core.LiveDrag):
@@ -146,16 +243,31 @@ class Drag:
 
     @property
     def failure(self) -> str:
-        """What the background work has failed with, empty if it has not; frames go on, slower."""
+        """Error of the background work, or an empty string; frames continue, but slower."""
         return str(self._drag.failure)
 
     def wait(self) -> None:
-        """Return when the background work is done; raises what it failed with."""
+        """Wait until the background work is done; raise its error if it failed."""
         self._drag.wait()
 
     def deform(self, pose: Pose) -> Result:
-        """All parts in a pose, from rest. Raises RecipeError.
+        """Return all parts in a pose, computed from rest.
 
-        Memory of results that nobody holds any more is used again.
+        The memory of results without a reference is reused.
+
+        Parameters
+        ----------
+        pose : dict
+            The pose, as in a recipe.
+
+        Returns
+        -------
+        Result
+            Positions (n, 3) of every part, mm.
+
+        Raises
+        ------
+        RecipeError
+            If the pose has faults.
         """
         return self._session.dragged(self._drag, pose)

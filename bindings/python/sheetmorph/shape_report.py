@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a written CAD file holds of a part, for the report, and what of it is not good enough."""
+"""Report entries on written CAD files, and their failures."""
 
 from __future__ import annotations
 
@@ -15,16 +15,19 @@ from .files.cad_writing import CadWriting
 from .part_mesh import PartMesh
 from .words import folds
 
-# Beyond it a kink is told, degrees; how far the radius of a kept cylinder may be off, mm.
+# Smallest kink to report, degrees; admissible radius error of a kept cylinder, mm.
 KINK, RADIUS = 0.1, 1e-9
-# Of its thickness: how much further a shape may be from one thickness than its mesh.
+# Admissible deviation of a shape's thickness beyond that of its mesh, as a share of the thickness.
 THINNER = 0.01
 
 
 @dataclass(frozen=True)
 class WrittenShapes:
-    """The shapes of one part in a written CAD file. bodies: as write_shapes() answers; bytes_read,
-    bytes_written: sizes of the file that was read and of this one."""
+    """The shapes of one part in a written CAD file.
+
+    bodies is the result of write_shapes(). bytes_read and bytes_written are the sizes of the source
+    file and of this file.
+    """
 
     file: str
     bodies: list[dict[str, Any]]
@@ -32,13 +35,13 @@ class WrittenShapes:
     bytes_written: int
 
     def of_part(self, name: str) -> WrittenShapes:
-        """Those of a part by its name: of a split file, one body."""
+        """Return the shapes of a part; in a split file this is one body."""
         own = [body for body in self.bodies if name.endswith(f"/{body['name']}")]
         is_split = len(own) == 1 and name.partition("/")[2] == own[0]["name"]
         return replace(self, bodies=own) if is_split else self
 
 
-# What tells the thickness on points of a part's mesh, None if it is not thin.
+# Measures the thickness on the points of a part's mesh; None if the part is not thin.
 Thickness = Callable[[Floats], dict[str, Any] | None]
 
 
@@ -48,10 +51,10 @@ def shape_report(
     shapes: WrittenShapes | None,
     thickness: Thickness,
 ) -> dict[str, Any]:
-    """The part's entry "shape" in the report.
+    """Return the report entry "shape" of a part.
 
-    crossed: pairs of triangles of its mesh that meet, at rest and deformed; shapes: None before
-    they are written; thickness: of the part.
+    crossed counts the intersecting pairs of triangles at rest and deformed. shapes is None before
+    the file is written. thickness measures the part.
     """
     read = [] if shapes is None else shapes.bodies
     return {
@@ -70,8 +73,10 @@ def shape_report(
 
 
 def shape_failures(part: str, shape: dict[str, Any], flipped: int) -> Iterator[str]:
-    """A sentence for everything that is not as the recipe wants it; flipped: triangles of its mesh
-    that fold over."""
+    """Yield a sentence for every requirement of the recipe that the shape misses.
+
+    flipped is the number of folded triangles in the mesh.
+    """
     crossed = shape["self_intersections"]
     what = _fold(flipped, crossed["rest"], crossed["deformed"])
     if what:
@@ -88,7 +93,7 @@ def shape_failures(part: str, shape: dict[str, Any], flipped: int) -> Iterator[s
 
 
 def fold_of(core: Any, mesh: PartMesh, positions: Floats) -> str:
-    """What of a part's mesh folds at positions (n, 3), in a few words; empty if nothing does."""
+    """Describe how a mesh folds at positions (n, 3); return "" if it does not."""
     flipped = int(core.compare_quality(mesh.points, positions, mesh.triangles).flipped)
     rest, deformed = (
         len(crossings(core, points, mesh.triangles)) for points in (mesh.points, positions)
@@ -103,7 +108,7 @@ def _fold(flipped: int, rest: int, deformed: int) -> str:
 
 
 def kink_notes(part: str, shape: dict[str, Any]) -> Iterator[str]:
-    """The kinks that were smooth before."""
+    """Yield sentences about new kinks in smooth faces."""
     for body in shape["bodies"]:
         kink = body["kink"]
         if kink["value"] > KINK:
@@ -115,7 +120,7 @@ def kink_notes(part: str, shape: dict[str, Any]) -> Iterator[str]:
 
 
 def body_faults(body: dict[str, Any], writing: CadWriting = CadWriting("brep")) -> list[str]:
-    """A sentence for everything that is wrong with one body as write_shapes() answers it."""
+    """Return a sentence for every fault of one body from write_shapes()."""
     told = {"tolerance": writing.tolerance, "edge_tolerance": writing.edge_tolerance}
     return list(_body_failures(_body(body), told))
 

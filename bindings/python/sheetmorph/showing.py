@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures of a recipe file, without a window."""
+"""Pictures of a recipe file, drawn without a window."""
 
 from __future__ import annotations
 
@@ -24,11 +24,26 @@ def show(
     files: FileSet | None = None,
     progress: Progress | None = None,
 ) -> None:
-    """Draw what a recipe means into a PNG file: regions in the colours of their roles, arrows.
+    """Draw a recipe to a PNG file: regions in the colours of their roles, and motions as arrows.
 
-    pose: name of one of its poses; after: the parts in that pose instead, coloured by how far each
-    place moved; view: from the middle to the eye; files: a new FileSet. Raises RecipeError,
-    FileError, KernelError, PictureError.
+    Parameters
+    ----------
+    recipe_path, picture : str or path
+        The recipe and the PNG file.
+    pose : str, optional
+        Name of one of the recipe's poses.
+    after : bool
+        Draw the parts in that pose, coloured by displacement.
+    view : tuple of float, optional
+        Direction (3,) from the centre to the eye.
+    files : FileSet, optional
+        A new file set.
+    progress : callable, optional
+        progress(fraction, task) returns whether to continue.
+
+    Raises
+    ------
+    RecipeError, FileError, KernelError, PictureError
     """
     path = Path(recipe_path)
     if Path(picture).suffix.lower() != ".png":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The sizes of form features: the one requested beside the one measured."""
+"""Feature sizes in the report: requested and measured."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .results import FeatureResult
 def measured_size(result: Answer, feature: FeatureResult, positions: Floats) -> float | None:
     """Return the size of a feature on positions (n, 3) of its part, mm.
 
-    None if no size is set for it, or if it is no hole, slot or cylinder there.
+    Return None if no size is set, or if the vertices do not form a hole, slot or cylinder.
     """
     if feature.size is None:
         return None
@@ -27,9 +27,9 @@ def measured_size(result: Answer, feature: FeatureResult, positions: Floats) -> 
 def missed_sizes(
     features: list[dict[str, Any]], parts: list[dict[str, Any]], tol: float
 ) -> list[str]:
-    """Return a sentence for every feature whose measured size is not the requested one.
+    """Return a sentence for every feature whose measured size differs from the requested one.
 
-    tol: mm; what the format of a part's file rounds away is allowed besides.
+    tol is in mm; rounding by the file format is allowed in addition.
     """
     rounding = {part["name"]: 4.0 * (part["file"] or {}).get("error", 0.0) for part in parts}
     found = []

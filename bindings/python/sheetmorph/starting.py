@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The first recipe of some files: what the doctor and the search propose, ready to be edited."""
+"""A first recipe for given files, with the proposals of diagnosis and search, ready to edit."""
 
 from __future__ import annotations
 
@@ -31,13 +31,13 @@ from .recipe.model import model_of
 from .recipe.parts import Parts, read_parts
 from .words import counted
 
-# Shares of the length: of the two ends that are held and moved, and of the first lift.
+# Shares of the part length: the fixed and moved ends (usual and small), and the first lift.
 _END, _SMALL_END, _LIFT = 0.05, 0.01, 0.05
 
 
 @dataclass(frozen=True)
 class Entry:
-    """A part of the recipe, and what the person should know about it."""
+    """A part entry of the recipe, with a remark for the user."""
 
     keys: dict[str, Any]
     remark: str
@@ -45,7 +45,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class Key:
-    """A key of the recipe with the comments above it; remarks: one per entry of a list, or none."""
+    """A recipe key with the comments above it; remarks has one text per list entry, or is empty."""
 
     comments: list[str]
     name: str
@@ -61,20 +61,25 @@ def starting_recipe(
     is_toml: bool = False,
     unit: str | None = None,
 ) -> str:
-    """Return the text of a recipe with comments for mesh, deck or CAD files.
+    """Return the text of a commented recipe for mesh, deck or CAD files.
 
     Parameters
     ----------
-    files
+    files : sequence of str or path
         The files of the parts.
-    folder
-        Where the recipe will be: paths in it are relative to this folder.
-    progress
-        ``progress(fraction, task)`` returns whether to go on.
-    is_toml
+    folder : str or path
+        Folder of the recipe; its paths are relative to this folder.
+    progress : callable, optional
+        ``progress(fraction, task)`` returns whether to continue.
+    is_toml : bool
         Write TOML in place of JSON.
-    unit
-        Of mesh files, one of ``file_unit.UNITS``; guessed if None.
+    unit : str, optional
+        Unit of mesh files, one of ``file_unit.UNITS``; guessed by default.
+
+    Returns
+    -------
+    str
+        The recipe.
 
     Raises
     ------
@@ -89,7 +94,7 @@ def starting_recipe(
 
 
 def _entry(file: str, unit: str | None) -> Entry:
-    """The part that the doctor proposes for a file."""
+    """Return the part entry that the diagnosis proposes for a file."""
     name = unpacked_name(file).stem
     if is_cad(file):
         return Entry({"file": file, "split": True, "thin": "auto"}, "every solid is a part")
@@ -122,13 +127,13 @@ def _read(entries: list[dict[str, Any]], progress: Progress | None) -> Parts:
 
 
 def _beside(entry: Entry, folder: Path) -> Entry:
-    """The same with the path of the file as seen from the recipe."""
+    """Return the entry with its path relative to the recipe."""
     file = os.path.relpath(Path(entry.keys["file"]).resolve(), folder.resolve())
     return Entry({**entry.keys, "file": file}, entry.remark)
 
 
 def _keys(entries: list[Entry], parts: Parts, found: Findings) -> list[Key]:
-    """The keys of the recipe in their order."""
+    """Return the keys of the recipe in their order."""
     primary = next((name for name in found.primary if len(parts.meshes[name].triangles)), None)
     heading = [
         "What is in the files, as `init` understood it. Look at it with `show`, edit it,",
@@ -154,7 +159,7 @@ def _keys(entries: list[Entry], parts: Parts, found: Findings) -> list[Key]:
 
 
 def _json_text(keys: list[Key]) -> str:
-    """The recipe as JSON with comments; the first comments stand before it."""
+    """Return the recipe as JSON with comments; those of the first key precede the opening brace."""
     lines = [f"// {text}" for text in keys[0].comments] + ["{"]
     for number, key in enumerate(keys):
         lines += [f"  // {text}" for text in key.comments if number]
@@ -164,7 +169,7 @@ def _json_text(keys: list[Key]) -> str:
 
 
 def _toml_text(keys: list[Key]) -> str:
-    """The recipe as TOML."""
+    """Return the recipe as TOML."""
     lines = []
     for key in keys:
         lines += [f"# {text}" for text in key.comments]
@@ -173,7 +178,7 @@ def _toml_text(keys: list[Key]) -> str:
 
 
 def _value_lines(key: Key, start: str, mark: str, text_of: Callable[[Any], str]) -> list[str]:
-    """A key with its value, in one line unless its entries have remarks."""
+    """Return a key with its value, on one line unless the list entries have remarks."""
     if not key.remarks:
         return [f"{start}{text_of(key.value)}"]
     lines = [f"{start}["]
@@ -184,10 +189,10 @@ def _value_lines(key: Key, start: str, mark: str, text_of: Callable[[Any], str])
 
 
 def _ends(part: str, parts: Parts, found: Findings) -> list[Key]:
-    """Fixed at one end of the part, moved at the other, across the flattest direction.
+    """Fix one end of the part and move the other, across its flattest direction.
 
-    The ends are those of the longest axis at which no rigid shape reaches from one to the other.
-    Raises RecipeError if there are none.
+    The ends lie on the longest axis along which no rigid shape connects them. Raises RecipeError if
+    there is none.
     """
     mesh = parts.meshes[part]
     size = np.ptp(mesh.points[np.unique(mesh.triangles)], axis=0)
@@ -213,7 +218,7 @@ def _ends(part: str, parts: Parts, found: Findings) -> list[Key]:
 
 
 class _End:
-    """Both ends of a mesh along an axis, each a share of the length."""
+    """Both ends of a mesh along an axis, each a share of its length."""
 
     def __init__(self, mesh: PartMesh, axis: int, share: float):
         self.axis, self.places = axis, mesh.points[:, axis]
@@ -225,19 +230,22 @@ class _End:
         )
 
     def tears(self, body: Ints) -> bool:
-        """Whether some vertices reach both ends."""
+        """Return whether the vertices of a body reach both ends."""
         places = self.places[body]
         return bool((places <= self.limits[0]).any() and (places >= self.limits[1]).any())
 
     def half_space(self, sign: float) -> dict[str, Any]:
-        """The selector of the end: the lower one for a sign of -1."""
+        """Return the selector of an end: the lower one for a sign of -1."""
         point, normal = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]
         point[self.axis], normal[self.axis] = self.limits[int(sign > 0.0)], sign
         return {"half_space": {"point": point, "normal": normal}}
 
 
 def _rigid_bodies(part: str, parts: Parts, found: Findings) -> list[Ints]:
-    """Vertices that move as one: lumps of a thin solid, with the form features that share some."""
+    """Return the vertices of each rigid body of a thin solid.
+
+    A body is a thick region, joined with the form features that share its vertices.
+    """
     mesh = parts.meshes[part]
     entry = next(one for one in parts.entries if one.name == part)
     if not entry.thin:
@@ -267,7 +275,7 @@ def _counts(features: list[dict[str, Any]], kinds: Sequence[str]) -> str:
 
 
 def _toml(value: Any) -> str:
-    """A value as TOML has it: tables within a line."""
+    """Return a value as TOML, with inline tables."""
     if isinstance(value, dict):
         return "{ " + ", ".join(f"{_bare(key)} = {_toml(one)}" for key, one in value.items()) + " }"
     if isinstance(value, list):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How much a mesh was stretched and folded where that is worst, computed from positions alone."""
+"""Worst stretch and fold of a mesh, computed from positions only."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from .arrays import Floats, Ints
 from .blocks import in_blocks
 from .part_mesh import PartMesh
 
-# Of the size: edges that short have no length to compare with.
+# As a share of the size: shorter edges have no meaningful relative change.
 _NO_LENGTH = 1e-12
-# A triangle with less height than this share of its longest edge has none.
+# A triangle whose height is below this share of its longest edge counts as degenerate.
 _NO_HEIGHT = 1e-5
-# An edge that is shorter than this share of its length has collapsed.
+# An edge below this share of its rest length has collapsed.
 COLLAPSED = 0.1
 
 
 @dataclass(frozen=True)
 class Edge:
-    """An edge of a mesh: its length at rest and now, mm, and its middle (3,)."""
+    """A mesh edge: its lengths at rest and deformed, mm, and its deformed midpoint (3,)."""
 
     before: float
     after: float
@@ -30,14 +30,14 @@ class Edge:
 
     @property
     def strain(self) -> float:
-        """The change of its length over its length at rest, in magnitude."""
+        """Absolute change of length, relative to the rest length."""
         return abs(self.after / self.before - 1.0)
 
 
 class EdgeChanges:
-    """How edges of a mesh change, and the angles across them; what they are at rest is known once.
+    """Changes of edge lengths and dihedral angles; the rest values are computed once.
 
-    rest: (n, 3); triangles: (m, 3).
+    rest is (n, 3) and triangles (m, 3).
     """
 
     def __init__(self, rest: Floats, triangles: Ints):
@@ -49,25 +49,19 @@ class EdgeChanges:
         self._angles = _angles(rest, triangles, self._sides)
 
     def worst(self, positions: Floats, rest: Floats | None = None) -> Edge | None:
-        """The edge with the largest strain; None without edges.
+        """Return the edge with the largest strain at positions (n, 3), or None without edges.
 
-        positions: (n, 3). rest: (n, 3), another shape to compare with.
+        A rest shape (n, 3) replaces the one of the constructor.
         """
         before = None if rest is None else np.maximum(_lengths(rest, self._edges), 1e-300)
         return self._edge(positions, lambda ratio: int(np.abs(ratio - 1.0).argmax()), before)
 
     def shortest(self, positions: Floats) -> Edge | None:
-        """The edge that is left with the least share of its length; None without edges.
-
-        positions: (n, 3).
-        """
+        """Return the edge with the smallest ratio to its rest length at (n, 3), or None."""
         return self._edge(positions, lambda ratio: int(ratio.argmin()))
 
     def collapsed(self, positions: Floats) -> int:
-        """How many edges are left with less than a tenth of their length.
-
-        positions: (n, 3).
-        """
+        """Count the edges below a tenth of their rest length at positions (n, 3)."""
         return int((_lengths(positions, self._edges) < COLLAPSED * self._lengths).sum())
 
     def _edge(
@@ -82,18 +76,14 @@ class EdgeChanges:
         return Edge(float(before[k]), float(lengths[k]), place)
 
     def worst_fold(self, positions: Floats) -> float | None:
-        """The largest change of the angle between two triangles with a common edge, degrees; None
-        without such.
-
-        positions: (n, 3).
-        """
+        """Return the largest change of a dihedral angle at positions (n, 3), degrees, or None."""
         change = np.abs(_angles(positions, self._triangles, self._sides) - self._angles)
         change = change[np.isfinite(change)]
         return float(np.degrees(change.max())) if len(change) else None
 
 
 def crushed(mesh: PartMesh, positions: Floats) -> Ints:
-    """(k,) the triangles that lose their height: it was more than 1e-5 of their longest edge."""
+    """Return the triangles (k,) that became degenerate: height below 1e-5 of the longest edge."""
     before, after = (
         _relative_heights(points, mesh.triangles) for points in (mesh.points, positions)
     )
@@ -102,7 +92,7 @@ def crushed(mesh: PartMesh, positions: Floats) -> Ints:
 
 
 def _relative_heights(points: Floats, triangles: Ints) -> Floats:
-    """(m,) the least height of triangles over their longest edge."""
+    """Return the smallest height of each triangle (m,) over its longest edge."""
     sides = [_lengths(points, triangles[:, [k, (k + 1) % 3]]) for k in range(3)]
     longest = np.maximum.reduce(sides) if len(triangles) else np.empty(0)
     found: Floats = 2.0 * areas(points, triangles) / np.maximum(longest, 1e-300) ** 2
@@ -118,15 +108,17 @@ def _lengths(points: Floats, edges: Ints) -> Floats:
 
 
 def middle_edge(points: Floats, triangles: Ints) -> float:
-    """The median length of the edges of triangles (m, 3), an inner one counted twice; 0 without
-    any."""
+    """Return the median edge length of triangles (m, 3), 0 if there are none.
+
+    Inner edges count twice.
+    """
     lengths = [_lengths(points, triangles[:, [k, (k + 1) % 3]]) for k in range(3)]
     found = np.concatenate(lengths)
     return float(np.median(found, overwrite_input=True)) if len(found) else 0.0
 
 
 def _edges(triangles: Ints) -> tuple[Ints, tuple[Ints, Ints]]:
-    """(e, 2) the edges in order, each once, and pairs of triangles (k,), (k,) with a common one."""
+    """Return sorted unique edges (e, 2), and pairs of triangles (k,), (k,) that share one."""
     count, size = len(triangles), int(triangles.max(initial=0)) + 1
     keys = np.empty(3 * count, dtype=np.int64)
     for k in range(3):
@@ -144,7 +136,7 @@ def _edges(triangles: Ints) -> tuple[Ints, tuple[Ints, Ints]]:
 
 
 def _angles(points: Floats, triangles: Ints, sides: tuple[Ints, Ints]) -> Floats:
-    """(k,) angles between pairs of triangles; NaN where one has no area."""
+    """Return the angles (k,) between pairs of triangles; NaN if one has no area."""
     normals = _area_normals(points, triangles)
     with np.errstate(all="ignore"):
         normals /= np.linalg.norm(normals, axis=1)[:, None]
@@ -163,13 +155,12 @@ def principal_stretches(
     triangles: Ints,
     wanted: tuple[Floats, Floats] | None = None,
 ) -> Floats:
-    """(m, 2) how much longer the sheet is, in a triangle, along the direction that is stretched
-    most and across it; 1: as at rest. NaN where a triangle has no height at rest: its corners are
-    rounded by as much as it is high.
+    """Return the principal stretches (m, 2) of each triangle, the larger one first.
 
-    rest, positions: (n, 3); triangles: (m, 3). Singular values of the deformation gradient. wanted:
-    directions (m, 3) of length 1 and factors (m,) by which each triangle is longer along them
-    without being stretched.
+    They are the singular values of the deformation gradient, 1 at rest. Triangles that are
+    degenerate at rest give NaN, because rounding dominates their shape. rest and positions are (n,
+    3), triangles (m, 3). wanted has unit directions (m, 3) and factors (m,): lengthening by a
+    factor along its direction does not count as stretch.
     """
 
     def of(part: slice) -> Floats:
@@ -180,7 +171,7 @@ def principal_stretches(
 
 
 class PrincipalStretches:
-    """principal_stretches() of many positions of one mesh: what rest says is worked out once."""
+    """principal_stretches() for many positions of one mesh; the rest shape is evaluated once."""
 
     def __init__(
         self,
@@ -195,7 +186,7 @@ class PrincipalStretches:
             gradients = gradients @ (np.eye(2) + shorter * along[:, :, None] * along[:, None, :])
         gradients[_relative_heights(rest, triangles) <= _NO_HEIGHT] = np.nan
         self._triangles = np.asarray(triangles)
-        # The gradients of the three corners add up to nothing: two sides tell the deformation.
+        # The gradients of the three corners sum to zero, so two edges define the deformation.
         with np.errstate(all="ignore"):
             (a, b), (c, d) = gradients[:, 1].T, gradients[:, 2].T
             self._metric = (
@@ -205,7 +196,7 @@ class PrincipalStretches:
             )
 
     def __call__(self, positions: Floats) -> Floats:
-        """(m, 2) for positions (n, 3)."""
+        """Return the stretches (m, 2) at positions (n, 3)."""
         first, second, third = (positions[corners] for corners in self._triangles.T)
         one, other = second - first, third - first
         pairs = ((one, one), (one, other), (other, other))
@@ -219,10 +210,10 @@ class PrincipalStretches:
 
 
 def curvature_changes(rest: Floats, positions: Floats, triangles: Ints) -> Floats:
-    """(m, 2, 2) by how much more each triangle is curved than at rest, in its plane at rest, 1/mm;
-    NaN where a triangle has no area at rest.
+    """Return the change of curvature (m, 2, 2) of each triangle in its rest plane, 1/mm.
 
-    rest, positions: (n, 3) mm; triangles: (m, 3). From normals of the vertices (Rusinkiewicz 2004).
+    Triangles without area at rest give NaN. rest and positions are (n, 3), mm; triangles is (m, 3).
+    The curvature comes from vertex normals (Rusinkiewicz 2004).
     """
     before, after = (_vertex_normals(points, triangles) for points in (rest, positions))
 
@@ -238,10 +229,10 @@ def curvature_changes(rest: Floats, positions: Floats, triangles: Ints) -> Float
 
 
 def arcs(points: Floats, triangles: Ints) -> tuple[Floats, Ints]:
-    """Directions (m, 3) in which triangles are curved most, and how far the sheet turns along them
-    within the triangle, (m,) radians; 0 where a triangle has no area.
+    """Return directions of largest curvature (m, 3), and bend angles (m,) along them, rad.
 
-    points: (n, 3) mm; triangles: (m, 3).
+    The angle is the rotation of the normal within the triangle, 0 if it has no area. points is (n,
+    3), mm; triangles is (m, 3).
     """
     gradients, axes = _shape_gradients(points, triangles)
     with np.errstate(all="ignore"):
@@ -256,7 +247,7 @@ def arcs(points: Floats, triangles: Ints) -> tuple[Floats, Ints]:
 
 
 def areas(points: Floats, triangles: Ints) -> Floats:
-    """(m,) mm^2. points: (n, 3) mm; triangles: (m, 3)."""
+    """Return the areas (m,) in mm^2 of triangles (m, 3) over points (n, 3), mm."""
     found: Floats = 0.5 * np.linalg.norm(_area_normals(points, triangles), axis=1)
     return found
 
@@ -271,7 +262,7 @@ def _area_normals(points: Floats, triangles: Ints) -> Floats:
 
 
 def _vertex_normals(points: Floats, triangles: Ints) -> Floats:
-    """(n, 3) of length 1; 0 for a vertex of no triangle with an area."""
+    """Return unit vertex normals (n, 3); 0 for a vertex without a triangle of non-zero area."""
     normals, at = _area_normals(points, triangles), triangles.T.ravel()
     sums = [np.bincount(at, np.tile(axis, 3), len(points)) for axis in normals.T]
     found: Floats = np.stack(sums, axis=1)
@@ -280,7 +271,7 @@ def _vertex_normals(points: Floats, triangles: Ints) -> Floats:
 
 
 def _shape_gradients(rest: Floats, triangles: Ints) -> tuple[Floats, Floats]:
-    """(m, 3, 2) derivatives of the shape functions in the plane at rest, and its axes (m, 2, 3)."""
+    """Return shape function gradients (m, 3, 2) in the rest plane, and its axes (m, 2, 3)."""
     corners = rest[triangles]
     normals = _area_normals(rest, triangles)
     with np.errstate(all="ignore"):
@@ -294,8 +285,10 @@ def _shape_gradients(rest: Floats, triangles: Ints) -> tuple[Floats, Floats]:
 
 
 def _curvatures(sheet: tuple[Floats, Floats], triangles: Ints, gradients: Floats) -> Floats:
-    """(m, 2, 2) minus the second fundamental form, from how the normals of the corners differ;
-    sheet: points and normals (n, 3) of the vertices."""
+    """Return the negative second fundamental form (m, 2, 2) from normals of the corners.
+
+    sheet has the vertices and their normals, each (n, 3).
+    """
     points, at_vertices = sheet
     along = np.einsum("mik,mil->mkl", points[triangles], gradients)
     turning = np.einsum("mik,mil->mkl", at_vertices[triangles], gradients)

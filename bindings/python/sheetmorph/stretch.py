@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a pose stretches and bends the sheet, and how much, for the report. Kinematics alone: what
-a press or friction adds is not in it."""
+"""Report entries on stretch and bending of the sheet in a pose.
+
+They are kinematic: effects of a press or of friction are not included.
+"""
 
 from __future__ import annotations
 
@@ -15,16 +17,16 @@ from .preprocessed import Preprocessed
 from .strain import areas, curvature_changes, principal_stretches
 
 _MOST_PLACES = 10
-_APART = 0.05  # of the size: places of a list are at least that far from each other
-_NEAR = 0.25  # of the size: what is farther than that names no place
-_STRAIGHT = 1e3  # of the size: bends wider than that are none
+_APART = 0.05  # Share of the size: minimum distance between listed places.
+_NEAR = 0.25  # Share of the size: named regions farther away are not mentioned.
+_STRAIGHT = 1e3  # Multiple of the size: bends with a larger radius are ignored.
 _YOUNG = 210e3  # N/mm^2, steel
-_GENTLE = 500.0  # thicknesses: in wider bends the skin is strained by less than 0.1 %
-_TOLD = 5e-4  # a stretch below that is not worth a sentence
+_GENTLE = 500.0  # Thicknesses: with a larger bend radius the skin strain is below 0.1 %.
+_TOLD = 5e-4  # Smaller stretches are not reported.
 
 
 def steel_report(session: Preprocessed, part: str) -> dict[str, Any] | None:
-    """The entry "steel" of a part: thickness and where it is from; None for other energies."""
+    """Return the entry "steel" of a part: thickness and its source; None for other energies."""
     if session.model.energy != "steel":
         return None
     entry = next(entry for entry in session.model.parts if entry.name == part)
@@ -39,7 +41,7 @@ def steel_report(session: Preprocessed, part: str) -> dict[str, Any] | None:
 
 
 def stretch_report(result: Answer, part: str) -> dict[str, Any] | None:
-    """The entry "stretch" of a part; None if no triangle has a height."""
+    """Return the entry "stretch" of a part; None if all triangles are degenerate."""
     session = result.session
     sheet = session.sheet(part)
     rest, triangles = result.rest.sheets[part], np.asarray(sheet.triangles)
@@ -73,7 +75,7 @@ def stretch_report(result: Answer, part: str) -> dict[str, Any] | None:
 
 
 def stretch_words(entry: dict[str, Any]) -> Iterator[str]:
-    """What a user should know of a part's sheet, one sentence each; entry: as the report has it."""
+    """Yield sentences about the sheet of a part; entry is its report entry."""
     steel, stretch, name = entry["steel"], entry["stretch"], entry["name"]
     if steel["from"] == "a hundredth of the size":
         yield (
@@ -107,7 +109,7 @@ def _bending(
     shapes: tuple[Floats, Floats, Ints],
     told: tuple[Floats, Floats, Floats],
 ) -> dict[str, Any]:
-    """The entries "bend" and "springs_back"."""
+    """Return the entries "bend" and "springs_back"."""
     (rest, now, triangles), (area, _, stretches) = shapes, told
     thickness = session.sheet_thickness(part)
     entry = next(entry for entry in session.model.parts if entry.name == part)
@@ -129,14 +131,14 @@ def _bending(
 
 
 def _principal(values: Floats) -> Floats:
-    """(m, 2) of symmetric values (m, 2, 2)."""
+    """Return the eigenvalues (m, 2) of symmetric matrices (m, 2, 2), ascending."""
     mean, half = 0.5 * (values[:, 0, 0] + values[:, 1, 1]), values[:, 0, 0] - values[:, 1, 1]
     radius = np.hypot(0.5 * half, values[:, 0, 1])
     return np.stack([mean - radius, mean + radius], axis=1)
 
 
 def _stored(values: Floats, poisson: float) -> Floats:
-    """Of principal values (m, 2): (1 - nu) sum of squares + nu squared sum."""
+    """Return (1 - nu) times the sum of squares plus nu times the squared sum of values (m, 2)."""
     found: Floats = (1.0 - poisson) * (values**2).sum(axis=1) + poisson * values.sum(axis=1) ** 2
     return found
 
@@ -153,7 +155,7 @@ def _worst_places(strain: Floats, centres: Floats, apart: float) -> list[int]:
 
 
 def _regions(result: Answer, part: str) -> list[tuple[str, Floats]]:
-    """(label, positions (k, 3)) of what has a name on a part."""
+    """Return the named regions of a part as (label, positions (k, 3))."""
     session, words = result.session, {"fixed": "fixed region", "handle": "handle"}
     return [
         (f'{words.get(entry.kind, "feature")} "{entry.name}"', result.positions[part][ids])

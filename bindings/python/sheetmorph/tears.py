@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a mesh is cut: vertices that stand in one place but belong to different triangles."""
+"""Cuts in a mesh: coincident vertices of different triangles."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ import numpy as np
 from .arrays import Floats, Ints
 from .part_mesh import PartMesh
 
-# Of the size: vertices that near are in one place; places that far apart are torn.
+# Shares of the size: coincident vertices are closer than the first; a tear is wider than the
+# second.
 _SAME, _TORN = 1e-6, 1e-4
 
 
 @dataclass(frozen=True)
 class Tear:
-    """How many vertices part from one that stood in the same place, the widest gap, mm, and where
-    it is (3,)."""
+    """A tear: the number of separated vertices, the largest width, mm, and its position (3,)."""
 
     vertices: int
     width: float
@@ -28,7 +28,7 @@ class Tear:
 class Cuts:
     """The cuts of a mesh at rest.
 
-    first: (n,) of every vertex the first one that stands in its place.
+    first (n,) maps every vertex to the first one at the same position.
     """
 
     def __init__(self, mesh: PartMesh):
@@ -41,7 +41,7 @@ class Cuts:
             self.first[high] = self.first[low]
 
     def tear(self, positions: Floats) -> Tear | None:
-        """What a pose with positions (n, 3) tears open; None if nothing."""
+        """Return the tear that positions (n, 3) open, or None."""
         ends = positions[self._pairs]
         width = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1)
         torn = np.flatnonzero(width > _TORN * self._size)
@@ -53,8 +53,11 @@ class Cuts:
 
 
 def _same_places(points: Floats, reach: float) -> Ints:
-    """(k, 2) rows of points that are nearer to each other than a length: neighbours in a list that
-    is sorted by cells, of a grid and of the same grid shifted by half a cell."""
+    """Return pairs (k, 2) of points closer than a distance.
+
+    Points are sorted by the cells of a grid, and of the same grid shifted by half a cell;
+    candidates are neighbours in these lists.
+    """
     found = [np.empty((0, 2), dtype=np.int64)]
     cell = 2.0 * reach or 1.0
     for shift in itertools.product((0, 1), repeat=3):

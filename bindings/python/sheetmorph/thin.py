@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the report says about parts that are solved as thin solids."""
+"""Report entries on parts that are solved as thin solids."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from .certificate import crossings
 
 
 def thin_report(result: Answer, part: str) -> dict[str, Any] | None:
-    """The entry "thin" of a part: its thickness, and where it meets itself, before and after.
+    """Return the entry "thin" of a part: thickness and self-intersections, at rest and deformed.
 
-    None if it is not thin.
+    Return None if the part is not a thin solid.
     """
     session = result.session
     solid = session.thin_solid(part)
@@ -48,10 +48,10 @@ def thin_report(result: Answer, part: str) -> dict[str, Any] | None:
 
 
 def thickness_in_file(result: Answer, part: str, points: Floats) -> dict[str, Any] | None:
-    """The thickness of a part on (n, 3) points that a file has in place of its vertices, mm.
+    """Return the thickness of a part on points (n, 3) stored in a file, mm.
 
-    largest_change: from the sheet at rest; in_mesh: the same of the deformed mesh. None if the part
-    is not thin.
+    largest_change is relative to the sheet at rest, and in_mesh is that of the deformed mesh.
+    Return None if the part is not thin.
     """
     solid, own = result.session.thin_solid(part), result.session.meshes[part]
     if solid is None or len(points) != len(own.points):
@@ -72,13 +72,12 @@ def thickness_in_file(result: Answer, part: str, points: Floats) -> dict[str, An
 
 
 def crossed(result: Answer, part: str) -> tuple[int, int]:
-    """How many pairs of triangles of a part meet though no corner joins them: at rest, and in the
-    pose (CGAL)."""
+    """Count the intersecting pairs of triangles of a part, at rest and in the pose (CGAL)."""
     return len(result.session.rest_crossings(part)), len(_crossings(result, part))
 
 
 def new_crossings(result: Answer, part: str) -> Ints:
-    """Pairs (k, 2) of triangles of a part that meet in the pose and were apart at rest."""
+    """Return the pairs (k, 2) of triangles that intersect in the pose but not at rest."""
     pairs, session = _crossings(result, part), result.session
     if not len(pairs):
         return pairs
@@ -99,7 +98,7 @@ def _crossings(result: Answer, part: str) -> Ints:
 
 
 def thin_failures(result: Answer, tol: float) -> list[str]:
-    """The lumps that are not rigid within the tolerance, mm."""
+    """Return a sentence for every thick region that is not rigid within the tolerance, mm."""
     return [
         f"{lump.name}: {lump.edge_error:.3g} mm"
         for lump in result.lumps

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A checked recipe in the kernel's terms; file ids become indices here and nowhere else."""
+"""Translation of a checked recipe to kernel objects, the only place where ids become indices."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from types import ModuleType
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,17 +20,13 @@ from .recipe.pose import Moved, PoseEntry, Rotation
 if TYPE_CHECKING:
     from . import _core
 
-_Told = TypeVar("_Told", "_core.Pose", "_core.PoseRate")
-
-Numbers = dict[tuple[str, str], Floats]
-
 _NO_TURN = (0.0, 0.0, 0.0)
 _UPWARDS = (0.0, 0.0, 1.0)
 _AS_TOLD = PoseEntry()
 
 
 class Translator:
-    """Builds kernel objects for one model; knows where pivots and points are at rest."""
+    """Builder of kernel objects for one model, with rest positions of pivots and points."""
 
     def __init__(self, core: ModuleType, model: Model, meshes: Mapping[str, PartMesh]):
         self._core = core
@@ -45,7 +41,7 @@ class Translator:
         self._places = {region.name: self._place(region) for region in model.regions}
 
     def indices(self, region: RegionEntry) -> Ints:
-        """Indices (k,) of a region's vertices in its part; of a point, those of its triangle."""
+        """Return the vertices (k,) of a region, or the triangle corners of a point."""
         if region.is_point:
             triangle, _ = self._on_mesh(region)
             corners: Ints = self._meshes[region.part].triangles[triangle]
@@ -53,7 +49,7 @@ class Translator:
         return self._indices[region.where]
 
     def _place(self, region: RegionEntry) -> Floats:
-        """Rest position (3,) of a point on a triangle, centroid of a set of vertices; mm."""
+        """Return the rest position (3,) of a point, or the centroid of a region's vertices; mm."""
         mesh = self._meshes[region.part]
         place: Floats
         if region.is_point:
@@ -64,12 +60,12 @@ class Translator:
         return place
 
     def _on_mesh(self, point: RegionEntry) -> tuple[int, Sequence[float]]:
-        """Triangle and barycentric coordinates of a point on the mesh that is deformed."""
+        """Return the triangle and the barycentric coordinates of a point on the deformed mesh."""
         mesh = self._meshes[point.part]
         return mesh.place_on(self._core, *point.on_triangle)
 
     def assembly(self) -> _core.Assembly:
-        """The kernel's Assembly: everything but the pose."""
+        """Return the kernel's Assembly: everything except the pose."""
         core = self._core
         parts = [self._part(part) for part in self._model.parts]
         primary = self._part_index[self._model.primary or self._model.parts[0].name]
@@ -151,59 +147,33 @@ class Translator:
         return found
 
     def pose(self, pose: Mapping[str, Moved]) -> _core.Pose:
-        """The kernel's Pose; what it leaves out keeps the recipe's own values."""
-        found: _core.Pose = self._told(self._core.Pose(), self.numbers(pose))
-        return found
-
-    def pose_rate(self, numbers: Numbers) -> _core.PoseRate:
-        """The kernel's PoseRate; numbers: how those of the pose change."""
-        found: _core.PoseRate = self._told(self._core.PoseRate(), numbers)
-        return found
-
-    def numbers(self, pose: Mapping[str, Moved]) -> Numbers:
-        """What a pose tells the kernel, by (kind, name): of a handle translation, rotation log and
-        pivot (9,), of a point its place and rotation log (6,), of a feature its rotation log (3,)
-        or its size (1,); mm, radians."""
-        found: Numbers = {}
+        """Return the kernel's Pose; missing entries keep the values of the recipe."""
+        told: _core.Pose = self._core.Pose()
         for entry in self._model.regions:
             motion = pose.get(entry.name, _AS_TOLD)
             if entry.kind == "handle":
-                found |= self._of_handle(entry, motion)
+                self._move(entry, motion, told)
             elif entry.kind == "feature":
                 if entry.rotation is not None:
-                    log = self._log(motion.rotation or entry.rotation)
-                    found["turn", entry.name] = np.asarray(log, float)
+                    told.turn_feature(entry.name, self._log(motion.rotation or entry.rotation))
                 if motion.size is not None:
-                    found["size", entry.name] = np.array([motion.size], float)
+                    told.size_feature(entry.name, motion.size)
             elif entry.kind == "point":
                 target = motion.target or entry.target
                 place = self._places[entry.name] if target is None else np.array(target)
-                log = self._log(motion.rotation or entry.rotation)
-                found["point", entry.name] = np.concatenate([place, log])
-        return found
+                told.place_point(entry.name, place, self._log(motion.rotation or entry.rotation))
+        return told
 
-    def _of_handle(self, entry: RegionEntry, motion: Moved) -> Numbers:
+    def _move(self, entry: RegionEntry, motion: Moved, told: _core.Pose) -> None:
+        """Add the motion of a handle, which may be a single point, to the pose."""
         place = self._places[entry.name]
         pivot = motion.pivot or entry.pivot or tuple(place)
-        told = motion.translation or _NO_TURN, self._log(motion.rotation), pivot
-        if not entry.is_point:
-            return {("handle", entry.name): np.concatenate(told)}
-        rigid = self._core.RigidMotion(*told)
-        moved = rigid.apply(place[None, :])[0]
-        return {("point", entry.name): np.concatenate([moved, rigid.rotation_log])}
-
-    def _told(self, pose: _Told, numbers: Numbers) -> _Told:
-        for (kind, name), values in numbers.items():
-            if kind == "handle":
-                rigid = self._core.RigidMotion(values[:3], values[3:6], values[6:])
-                pose.move_handle(name, rigid)
-            elif kind == "point":
-                pose.place_point(name, values[:3], values[3:])
-            elif kind == "turn":
-                pose.turn_feature(name, values)
-            else:
-                pose.size_feature(name, float(values[0]))
-        return pose
+        translation, log = motion.translation or _NO_TURN, self._log(motion.rotation)
+        rigid = self._core.RigidMotion(translation, log, pivot)
+        if entry.is_point:
+            told.place_point(entry.name, rigid.apply(place[None, :])[0], rigid.rotation_log)
+        else:
+            told.move_handle(entry.name, rigid)
 
     def _log(self, rotation: Rotation | None) -> Vector | Floats:
         if rotation is None:
@@ -214,7 +184,7 @@ class Translator:
 
 @contextmanager
 def kernel_faults(core: ModuleType) -> Iterator[None]:
-    """What the kernel refuses becomes a RecipeError with one fault."""
+    """Convert InvalidInput of the kernel to a RecipeError with one fault."""
     try:
         yield
     except core.InvalidInput as error:

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "sheetmorph/base/progress.h"
-#include "sheetmorph/base/rates.h"
 #include "sheetmorph/surface/constraints/targets.h"
 
 #include <map>
@@ -18,15 +17,6 @@ struct Pose
     std::map<std::string, Vector3> feature_logs;  //!< of prescribed features (2.6); none left out
     std::map<std::string, surface::PointTarget> points;  //!< every point needs one
     std::map<std::string, double> sizes;                 //!< mm, of resizable features
-};
-
-//! How a pose changes along one direction; what is left out does not. Spins are worked out.
-struct PoseRate
-{
-    std::map<std::string, MotionRate> handles;
-    std::map<std::string, Vector3> feature_logs;         //!< radians
-    std::map<std::string, surface::PointTarget> points;  //!< mm, radians
-    std::map<std::string, double> sizes;                 //!< mm
 };
 
 //! How a drag prepares its frames.

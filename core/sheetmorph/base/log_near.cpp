@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/log_near.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/rotation.h"
 
 #include <Eigen/Dense>
@@ -11,8 +12,6 @@ namespace sheetmorph
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 // How much of a turn across the axis a change of the logarithm makes: sin(|r|) / |r|. Where it is
 // less than this (0 at whole turns) the change is damped.
@@ -31,6 +30,19 @@ double smooth_step(double value, double low, double high)
     return t * t * (3.0 - 2.0 * t);
 }
 
+// d(rotation vector of the product) / d(log), for logs of half the angle on both sides:
+// exp(log + d) = exp(J d) exp(log).
+Matrix3 left_jacobian(const Vector3& log)
+{
+    const double angle = 2.0 * log.norm();
+    if (angle < 1e-9)
+        return Matrix3::Identity();
+    const Vector3 axis = log * (2.0 / angle);
+    const double sine = std::sin(angle) / angle, cosine = (1.0 - std::cos(angle)) / angle;
+    return sine * Matrix3::Identity() + (1.0 - sine) * axis * axis.transpose()
+           + cosine * cross_matrix(axis);
+}
+
 // One damped step from the reference: continuous in the rotation wherever its axis is.
 Vector3 first_order_log(const Matrix3& rotation, const Vector3& reference)
 {
@@ -45,18 +57,6 @@ Vector3 first_order_log(const Matrix3& rotation, const Vector3& reference)
 }
 
 }  // namespace
-
-Matrix3 left_jacobian(const Vector3& log)
-{
-    const double angle = 2.0 * log.norm();
-    if (angle < 1e-9)
-        return Matrix3::Identity();
-    const Vector3 axis = log * (2.0 / angle);
-    Matrix3 cross;
-    cross << 0.0, -axis.z(), axis.y(), axis.z(), 0.0, -axis.x(), -axis.y(), axis.x(), 0.0;
-    const double sine = std::sin(angle) / angle, cosine = (1.0 - std::cos(angle)) / angle;
-    return sine * Matrix3::Identity() + (1.0 - sine) * axis * axis.transpose() + cosine * cross;
-}
 
 Vector3 log_near(const Matrix3& rotation, const Vector3& reference)
 {

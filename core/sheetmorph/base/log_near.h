@@ -18,10 +18,6 @@ Vector3 log_near(const Matrix3& rotation, const Vector3& reference);
 //! Zero, exactly, where the log tells all but rounding.
 Vector3 tilt_beyond(const Matrix3& rotation, const Vector3& log);
 
-//! d(rotation vector of the product) / d(log), for logs of half the angle on both sides:
-//! exp(log + d) = exp(J d) exp(log).
-Matrix3 left_jacobian(const Vector3& log);
-
 //! The rotation of a log and a tilt.
 Matrix3 tilted_rotation(const Vector3& log, const Vector3& tilt);
 

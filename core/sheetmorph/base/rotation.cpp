@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/rotation.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/limits.h"
 
@@ -13,9 +14,15 @@ namespace sheetmorph
 
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 constexpr double most_radians = 1e6;
 }  // namespace
+
+Matrix3 cross_matrix(const Vector3& a)
+{
+    Matrix3 matrix;
+    matrix << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
+    return matrix;
+}
 
 Vector3 rotation_log(const Vector3& axis, double radians)
 {

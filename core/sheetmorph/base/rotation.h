@@ -6,6 +6,9 @@
 namespace sheetmorph
 {
 
+//! [a]x: [a]x b = a x b.
+Matrix3 cross_matrix(const Vector3& a);
+
 //! Quaternion logarithm r = (theta / 2) v of a turn by `radians` about `axis` (2.6).
 //! The angle is kept as given, beyond half a turn and beyond a full one.
 //! \throws InvalidInput if the axis has no length or anything is not finite, with radians != 0

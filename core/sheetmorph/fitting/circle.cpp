@@ -18,11 +18,11 @@ namespace sheetmorph::fitting
 namespace
 {
 
-// Width over length below which points count as lying on one line.
+// Width over length below which points count as collinear.
 constexpr double straightest = 1e-8;
 
 // Least enclosed area over squared radius of a rim (a hexagon has 2.6). The border of a narrow
-// curved strip has less: it follows an arc of a large circle and returns beside it.
+// curved strip has less: it follows an arc of a large circle and returns close to it.
 constexpr double least_area = 2.0;
 
 // Frame of the best-fitting plane; columns: two directions in the plane, and its normal.
@@ -39,7 +39,8 @@ Matrix3 best_plane(const Points& offsets, double noise)
     return frame;
 }
 
-// The algebraic fit |p|^2 = 2 c.p + s (Kasa): exact on a circle, the start of the geometric one.
+// The algebraic fit |p|^2 = 2 c.p + s (Kasa): exact on a circle, and the start of the geometric
+// fit.
 Stadium algebraic_circle(const PlanePoints& points)
 {
     Eigen::MatrixXd terms(points.rows(), 3);

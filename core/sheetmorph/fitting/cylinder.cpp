@@ -9,11 +9,11 @@ namespace sheetmorph::fitting
 namespace
 {
 
-// Of the radius.
+// Largest deviation, relative to the radius.
 constexpr double tolerance = 0.02;
 
-// Below 30 degrees of arc the normals do not determine the axis. Scatter of measured vertices
-// spreads the normals along the axis as well.
+// Below 30 degrees of arc the normals do not determine the axis. Measurement noise also spreads the
+// normals along the axis.
 constexpr SpreadLimits spread{0.01, 0.02};
 
 }  // namespace

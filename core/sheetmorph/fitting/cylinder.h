@@ -7,8 +7,8 @@
 namespace sheetmorph::fitting
 {
 
-//! The cylinder through all corners of the facets, or nothing if a corner deviates by more than 2 %
-//! of the radius, or the facets cover less than 30 degrees of arc.
+//! The cylinder through all corners of the facets. Returns nothing if a corner deviates by more
+//! than 2 % of the radius, or if the facets cover less than 30 degrees of arc.
 std::optional<RimProfile> fit_cylinder(const FacetSample& facets);
 
 }  // namespace sheetmorph::fitting

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/fitting/outline.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/fitting/circle.h"
 #include "sheetmorph/fitting/stadium.h"
 
@@ -17,37 +18,36 @@ namespace
 
 using Corners = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
-constexpr double pi = 3.14159265358979323846;
-
-// Enclosed area over squared radius: 2 for a square on the circle, 2.6 for a
+// Enclosed area over squared radius: 2 for a square with its corners on the circle, 2.6 for a
 // hexagon.
 constexpr double least_round_area = 2.3;
-constexpr std::size_t most_directions = 96;
+constexpr std::size_t most_directions = 96;  // edges tried as sides of the bounding rectangle
 
-// Length over width below which a slot is a circle, corner radius over half the
-// width above which a rectangle is a slot.
+// shortest_slot: length over width below which a slot counts as a circle. roundest_rectangle:
+// corner radius over half the width above which a rectangle counts as a slot.
 constexpr double shortest_slot = 1.06;
 
-// Residual of a circle over its radius, from which a rounded rectangle may fit better; how much
-// better it has to.
+// barely_off: residual of a circle, relative to its radius, above which a rounded rectangle may
+// replace it. Its residual must then be below clearly_better times that of the circle.
 constexpr double barely_off = 0.04;
 constexpr double clearly_better = 0.35;
 constexpr double roundest_rectangle = 0.8;
 
-// What a formed hole may be off over its radius, however fine its polygon is.
+// Deviation of a formed hole, relative to its radius, that is always allowed, however fine its
+// polygon is.
 constexpr double least_tolerance = 0.03;
 
-// Of the mean turn of a rim's vertices, the least that a corner makes.
+// Smallest turn at a corner, relative to the mean turn of the rim's vertices.
 constexpr double least_turn = 0.5;
 
-// Corners of a rim that may have vertices between them and still be a coarse circle.
+// A rim with fewer corners is probably a polygon; then all its vertices count as corners.
 constexpr Eigen::Index fewest_refined = 8;
 
-// Vertices at each end of a slot: a rectangle's corners alone are no slot.
+// Fewest vertices at each end of a slot; a rectangle has only its corners there.
 constexpr Eigen::Index fewest_at_end = 3;
 
-// Share of its area that a coarse polygon may lack to the outline through its
-// corners.
+// Largest difference between the areas of the polygon and of the fitted outline, relative to the
+// latter.
 constexpr double most_missing_area = 0.14;
 
 struct RoundedBox
@@ -76,7 +76,7 @@ double worst_miss(const PlanePoints& points, const RoundedBox& box)
     return worst;
 }
 
-// The rectangle around the points with sides along and across a direction of length 1.
+// The bounding rectangle of the points with sides along and across u (length 1).
 RoundedBox rectangle_along(const PlanePoints& points, const Eigen::Vector2d& u)
 {
     const Eigen::Vector2d v(-u.y(), u.x());
@@ -91,8 +91,7 @@ RoundedBox rectangle_along(const PlanePoints& points, const Eigen::Vector2d& u)
     return box;
 }
 
-// The rectangle of the smallest area around the points that is parallel to one
-// of the edges.
+// The bounding rectangle of smallest area that is parallel to an edge of the polygon.
 RoundedBox smallest_rectangle(const PlanePoints& points)
 {
     const std::size_t count = static_cast<std::size_t>(points.rows());
@@ -116,8 +115,9 @@ RoundedBox smallest_rectangle(const PlanePoints& points)
     return best;
 }
 
-// The corner radius with the smallest residual: a coarse scan, then around the best ever finer.
-// Four scans leave 1e-4 of the half width, and the residual is that of the radius that is returned.
+// The corner radius with the smallest residual, found by a coarse scan and three finer scans around
+// the best value. They determine it to 1e-4 of the half width; the residual refers to the returned
+// radius.
 RoundedBox with_corners(const PlanePoints& points, RoundedBox box)
 {
     double low = 0.0;
@@ -146,8 +146,8 @@ RoundedBox with_corners(const PlanePoints& points, RoundedBox box)
     return box;
 }
 
-// The sides of a slot without vertices at their ends lie along no edge: the box is turned until it
-// fits best.
+// If the ends of a slot have no vertices at their tips, no edge is parallel to its sides. The box
+// is therefore rotated until it fits best.
 RoundedBox rounded_box(const PlanePoints& points)
 {
     RoundedBox best = with_corners(points, smallest_rectangle(points));
@@ -162,7 +162,7 @@ RoundedBox rounded_box(const PlanePoints& points)
     return best;
 }
 
-// What a form may be off by, relative to its half width, and what scatter adds to that.
+// Tolerance of a fit: a share of the half width, plus an allowance for measurement noise.
 struct Slack
 {
     double form = 0.0;
@@ -185,7 +185,8 @@ double faceting_tolerance(Eigen::Index corners)
     return std::max(least_tolerance, sagitta(corners));
 }
 
-// Which vertices turn: refining a mesh puts others on the chords of a hole, which tell nothing.
+// Marks the vertices at which the loop turns. Mesh refinement puts others on the chords of a hole;
+// they carry no information about its shape.
 Corners corners_of(const PlanePoints& points)
 {
     const Eigen::Index count = points.rows();
@@ -198,11 +199,11 @@ Corners corners_of(const PlanePoints& points)
         const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
         corners(k) = std::abs(turn) >= least;
     }
-    // With fewer it is as likely a polygon that was meant.
     return corners.count() < fewest_refined ? Corners::Constant(count, true) : corners;
 }
 
-// Faceting makes a circle as uneven and as long as its polygon: only what goes beyond is a slot.
+// Faceting makes a circle as uneven and as long as its polygon. Only a larger deviation makes it a
+// slot.
 bool is_round(const Outline& circle, const RoundedBox& box, const Slack& slack, Eigen::Index count)
 {
     if (circle.residual > slack.at(circle.radius)
@@ -219,7 +220,7 @@ bool is_slot(const RoundedBox& box)
     return box.radius >= roundest_rectangle * box.half.y();
 }
 
-// Of a slot: the vertices on its round ends, and how many of them are corners.
+// The vertices on the round ends of a slot, and the number of corners among them.
 struct RoundEnds
 {
     Eigen::Index left = 0;
@@ -255,7 +256,8 @@ Outline outline_of(const RoundedBox& box, const Outline& circle, const Matrix3& 
     return outline;
 }
 
-// The slot or rectangle that the points are; a slot is as exact as the facets of its ends.
+// The slot or rectangle fitted to the points. The tolerance of a slot follows from the faceting of
+// its ends.
 Outline boxed(const PlanePoints& points, const Outline& circle, const Matrix3& frame, Slack slack)
 {
     const RoundedBox box = rounded_box(points);
@@ -277,7 +279,7 @@ Outline boxed(const PlanePoints& points, const Outline& circle, const Matrix3& f
     return found;
 }
 
-// Columns in the plane, in the plane, along the normal.
+// Columns: two directions in the plane, and its normal.
 Matrix3 frame_of(const Vector3& normal)
 {
     Matrix3 frame;

@@ -14,36 +14,37 @@ enum class OutlineKind
     other
 };
 
-//! What a closed line is: a circle, a slot, a rectangle with rounded corners,
-//! or none of them.
+//! The outline fitted to a closed loop: a circle, a slot, a rectangle with rounded corners, or none
+//! of these.
 struct Outline
 {
     OutlineKind kind = OutlineKind::other;
     Vector3 center = Vector3::Zero();
-    Vector3 axis = Vector3::UnitZ();   //!< normal of its plane, length 1, as it runs
-    Vector3 along = Vector3::UnitX();  //!< of its longer side, length 1
-    double radius = 0.0;               //!< of the circle, half the slot's width, of the corners, mm
-    double length = 0.0;               //!< mm, diameter of a circle
-    double width = 0.0;                //!< mm
-    double residual = 0.0;             //!< largest distance of a point from it, in its plane, mm
-    double bulge = 0.0;                //!< largest distance of a point from the plane, mm
-    double area = 0.0;                 //!< enclosed by the polygon, mm^2
-    double tolerance = 0.0;            //!< how far a point may be from a circle or slot, mm
+    Vector3 axis = Vector3::UnitZ();   //!< plane normal, length 1, by the direction of the loop
+    Vector3 along = Vector3::UnitX();  //!< direction of the longer side, length 1
+    double radius = 0.0;     //!< of the circle, of the corners, or half the slot's width, mm
+    double length = 0.0;     //!< mm; diameter of a circle
+    double width = 0.0;      //!< mm; diameter of a circle
+    double residual = 0.0;   //!< largest distance of a point from the outline in its plane, mm
+    double bulge = 0.0;      //!< largest distance of a point from the plane, mm
+    double area = 0.0;       //!< of the polygon, mm^2
+    double tolerance = 0.0;  //!< largest distance allowed between a point and the outline, mm
 };
 
-//! The default of `roundness` below, no unit.
+//! Default of `roundness` in fit_outline(), no unit.
 constexpr double default_roundness = 0.12;
 
-//! The simplest outline that fits closed points: a circle or slot to its own faceting, a rectangle
-//! to `roundness` of its half width. The one place that decides what a rim is.
-//!
-//! Faceting is the sagitta of a regular polygon with as many corners, 1 - cos(pi / corners) of the
-//! radius, because a mesher may put vertices anywhere between arc and chord; 3 % at least, which
-//! formed holes need. Vertices within straight sides are no corners.
-//! \param loop       (k, 3) mm, k >= 3, in order around, not on one line
-//! \param roundness  no unit: the most that any tolerance may be
-//! \param scatter    standard deviation of the points in one direction, mm: a fit may be off by
-//!                   thrice that besides
+//! Fits the simplest outline to a closed loop: a circle or slot within the tolerance of its
+//! faceting, else a rectangle within `roundness` of its half width. All code that classifies rims
+//! uses this function.
+//! The faceting tolerance is the sagitta of a regular polygon with the same number of corners,
+//!   radius (1 - cos(pi / corners)) ,
+//! and at least 3 % of the radius, for the sake of formed holes. A mesher may put vertices anywhere
+//! between arc and chord. Vertices inside straight sides do not count as corners.
+//! \param loop       (k, 3) mm, k >= 3, in order, not collinear
+//! \param roundness  upper limit of all relative tolerances, no unit
+//! \param scatter    standard deviation of the points in one direction, mm; three times this value
+//!                   widens the tolerance
 Outline fit_outline(const Points& loop, double roundness = default_roundness, double scatter = 0.0);
 
 }  // namespace sheetmorph::fitting

@@ -16,7 +16,7 @@ namespace sheetmorph::fitting
 namespace
 {
 
-// The largest distance of a point from the plane of the rim, relative to the radius.
+// Largest distance of a point from the plane of the rim, relative to the radius.
 constexpr double along_tolerance = 0.05;
 
 // Returns nothing if the fit does not converge.
@@ -51,7 +51,7 @@ struct Chart
     }
 };
 
-// Least squares reduce the noise that the corners of the outline carry.
+// Least squares reduce the noise of the corners of the outline.
 std::optional<RimProfile> slot_of(const Points& rim, const Outline& outline)
 {
     Matrix3 frame;

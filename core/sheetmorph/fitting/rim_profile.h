@@ -8,7 +8,7 @@
 namespace sheetmorph::fitting
 {
 
-//! The outline of a hole or slot, extruded along its axis: all points at one distance from a
+//! The outline of a hole or slot, extruded along its axis: all points at a fixed distance from a
 //! segment. A segment of length 0 gives a circle.
 struct RimProfile
 {
@@ -24,13 +24,14 @@ struct RimProfile
     //! Distance from the outline at right angles to the axis, mm; negative inside.
     double distance(const Vector3& point) const;
 
-    //! The direction in which distance() grows fastest; of length 1, at right angles to the axis.
+    //! Gradient direction of distance(), at right angles to the axis, length 1; zero on the
+    //! segment.
     Vector3 outward(const Vector3& point) const;
 
-    //! How far along the axis from the centre, mm.
+    //! Coordinate along the axis from the centre, mm.
     double height(const Vector3& point) const;
 
-    //! Place along the segment: -1 and 1 at its ends and beyond, for slots.
+    //! Coordinate along the segment of a slot: -1 and 1 at its ends and beyond.
     double place_along(const Vector3& point) const;
 };
 

@@ -11,8 +11,8 @@ namespace sheetmorph::fitting
 //! (k, 2) points of a plane.
 using PlanePoints = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
-//! The outline of a slot: all points of a plane at one distance from a segment. A segment of length
-//! 0 gives a circle.
+//! The outline of a slot: all points of a plane at a fixed distance from a segment. A segment of
+//! length 0 gives a circle.
 struct Stadium
 {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();

@@ -14,7 +14,7 @@ namespace
 
 struct Spread
 {
-    Vector3 mean = Vector3::Zero();  // of normals, by area
+    Vector3 mean = Vector3::Zero();  // of normals, weighted by area
     Eigen::SelfAdjointEigenSolver<Matrix3> about_zero;
     Eigen::SelfAdjointEigenSolver<Matrix3> about_mean;
 };
@@ -46,8 +46,8 @@ Vector3 middle_of(const FacetSample& facets)
     return middle;
 }
 
-// The sphere |p|^2 = 2 c.p + s with the least squares (Kasa), in the space
-// across `axis` if that is not zero: then a cylinder.
+// The sphere |p|^2 = 2 c.p + s by least squares (Kasa). With a non-zero `axis`, only directions
+// across it count, which gives a cylinder.
 std::optional<Surface> ball(const FacetSample& facets, const Vector3& axis)
 {
     const Vector3 middle = middle_of(facets);
@@ -102,8 +102,8 @@ std::optional<Surface> sphere(const FacetSample& facets, const SpreadLimits& lim
     return surface;
 }
 
-// All normals make one angle with the axis; every tangent plane goes through
-// the apex.
+// On a cone, all normals make the same angle with the axis, and every tangent plane contains the
+// apex.
 std::optional<Surface> cone(const FacetSample& facets, const SpreadLimits& limits)
 {
     const Spread spread = spread_of(facets);
@@ -151,7 +151,7 @@ std::optional<Surface> plane(const FacetSample& facets)
 using Row = Eigen::Matrix<double, 7, 1>;
 using Normal = Eigen::Matrix<double, 7, 7>;
 
-// Derivatives of the offset of a point by the point of the surface (3), the tilt of its axis in two
+// Derivatives of a point's offset by the point of the surface (3), the tilt of its axis in two
 // directions, its radius and its angle.
 Row slope_at(const Surface& surface, const Vector3& place, const Vector3& u, const Vector3& v)
 {
@@ -251,7 +251,7 @@ std::optional<Surface> fit_surface(const FacetSample& facets, Surface::Kind kind
 
 Surface refined(const Points& points, const Surface& start)
 {
-    // Every accepted step reduces the sum, so an early end is safe: callers check the residual.
+    // Every accepted step reduces the sum, so an early end is safe; callers check the residual.
     constexpr int most_steps = 12;
     Surface best = start;
     double least = squares_of(points, best);

@@ -21,38 +21,39 @@ struct Surface
     };
 
     Kind kind = Kind::plane;
-    Vector3 point = Vector3::Zero();  //!< on the plane or axis, apex, center, mm
-    Vector3 axis = Vector3::UnitZ();  //!< normal or axis, length 1; that of a cone points
-                                      //!< away from the apex
-    double radius = 0.0;              //!< of cylinder and sphere, mm
-    double angle = 0.0;               //!< of a cone, between axis and surface, radians
+    Vector3 point = Vector3::Zero();  //!< on the plane or axis, apex or centre, mm
+    //! Normal or axis, length 1; that of a cone points away from the apex.
+    Vector3 axis = Vector3::UnitZ();
+    double radius = 0.0;  //!< of cylinder and sphere, mm
+    double angle = 0.0;   //!< of a cone, between axis and surface, radians
 
-    //! Distance of a point from the surface, mm; offset() is signed along the normal.
+    //! Distance of a point from the surface, mm. offset() is signed along the normal.
     double distance(const Vector3& place) const { return std::abs(offset(place)); }
     double offset(const Vector3& place) const;
 
-    //! The normal at a point, length 1, of either sign.
+    //! The normal at a point, length 1; its sign is not defined.
     Vector3 normal(const Vector3& place) const;
 
-    //! The radius at a point, mm, which residuals are relative to.
+    //! The radius at a point, mm, to which residuals are relative.
     double radius_at(const Vector3& place) const;
 };
 
-//! Facets to fit a surface to.
+//! Geometry of the facets that a surface is fitted to.
 struct FacetSample
 {
-    Points corners;         //!< (k, 3) mm, each at least once
-    Points normals;         //!< (m, 3) of length 1; 0 where a facet has no plane
+    Points corners;         //!< (k, 3) mm; repetitions are allowed
+    Points normals;         //!< (m, 3) of length 1; 0 for a degenerate facet
     Points centroids;       //!< (m, 3) mm
     Eigen::VectorXd areas;  //!< (m) mm^2
 };
 
-//! Limits for the spread of normals, which distinguishes the kinds of surfaces: eigenvalues of the
-//! second moments of the normals, weighted by area and divided by the whole area.
+//! Limits for the spread of normals, which distinguishes the kinds of surfaces. They apply to the
+//! eigenvalues of the second moments of the normals, weighted by area and divided by the total
+//! area.
 struct SpreadLimits
 {
     double flattest = 0.004;  //!< below it, normals lie in a plane through the origin
-    double turning = 0.002;   //!< above it, normals turn at all
+    double turning = 0.002;   //!< above it, the surface is curved
 };
 
 //! Fits a surface of one kind to facets, from their normals and corners. Returns nothing if the

@@ -15,7 +15,7 @@ namespace sheetmorph::forms
 namespace
 {
 
-//! Gives vertices of a large mesh numbers in a small one.
+//! Maps vertices of a large mesh to indices in a small one.
 class Renumbering
 {
 public:
@@ -104,7 +104,7 @@ Triangles FeaturePatch::triangles_among(const VertexIds& vertices) const
     return stacked(found);
 }
 
-// All triangles at an edge of the feature are here, so these are borders of the whole sheet.
+// All triangles at the feature are in the patch, so these loops are borders of the whole sheet.
 std::vector<VertexIds> FeaturePatch::border_loops() const
 {
     const std::vector<char> is_inside = marked(feature_);
@@ -115,10 +115,10 @@ std::vector<VertexIds> FeaturePatch::border_loops() const
     return found;
 }
 
-// A hole through a solid has its rims inside the rings of washer around it.
+// The rims of a hole through a solid lie inside the rings of washer around it.
 void FeaturePatch::add_sharp_loops()
 {
-    constexpr double sharp = 0.6;  // radians, as for the rims that are found
+    constexpr double sharp = 0.6;  // radians, as crease_angle of the feature search
     const std::vector<char> is_inside = marked(feature_);
     const std::vector<VertexIds> known = loops_;
     for (const VertexIds& loop : mesh::crease_loops(mesh_, mesh::EdgeTable(mesh_), sharp))
@@ -133,7 +133,7 @@ void FeaturePatch::add_sharp_loops()
     }
 }
 
-// The feature's edges, if they are one closed row.
+// The feature's edges, if they form one closed loop.
 std::vector<VertexIds> FeaturePatch::edge_loop() const
 {
     const std::vector<char> is_inside = marked(feature_);

@@ -6,31 +6,31 @@
 namespace sheetmorph::forms
 {
 
-//! A form feature with the triangles that touch it, as a small mesh of its own.
+//! A form feature and the triangles that touch it, extracted as a small mesh.
 class FeaturePatch
 {
 public:
-    //! \param vertices  of the feature, in any order, repeated or not
+    //! \param vertices  of the feature, in any order; repetitions are allowed
     //! \param scatter   standard deviation of the mesh's vertices, mm
     FeaturePatch(const mesh::TriangleMesh& mesh, const VertexIds& vertices, double scatter = 0.0);
 
     double scatter() const { return scatter_; }
 
-    //! The feature's vertices and their neighbours; every index below is one of this mesh.
+    //! The feature's vertices and their neighbours. All indices below refer to this mesh.
     const mesh::TriangleMesh& mesh() const { return mesh_; }
 
-    const VertexIds& feature() const { return feature_; }  //!< each once
+    const VertexIds& feature() const { return feature_; }  //!< without repetitions
     const VertexIds& rows() const { return rows_; }        //!< as given to the constructor
 
-    //! The closed loops that may be its rim, the shortest first: borders of the sheet inside it;
-    //! without those, the borders of its triangles and the sharp edges among them; without
-    //! triangles, its edges.
+    //! Closed loops that can be the feature's rim, shortest first. These are the borders of the
+    //! sheet inside the feature. If there are none, they are the borders of the feature's triangles
+    //! and the sharp edges among them. Without triangles, they are its edges.
     const std::vector<VertexIds>& loops() const { return loops_; }
 
     //! Whether the loops are borders of the sheet.
     bool is_free() const { return is_free_; }
 
-    //! Whether it fills the inside of its only loop.
+    //! Whether the feature fills the inside of its only loop.
     bool is_disk() const { return is_disk_; }
 
     //! The borders of the triangles whose corners are all among the vertices.
@@ -40,7 +40,7 @@ public:
     VertexIds neighbours_of(const VertexIds& vertices) const;
     Points points_of(const VertexIds& vertices) const;
 
-    //! Its own triangles, without vertices that are on none.
+    //! The feature's own triangles, without unused vertices.
     mesh::TriangleMesh covered_mesh() const;
 
 private:

@@ -21,13 +21,13 @@ using fitting::RimProfile;
 namespace
 {
 
-// Of the radius: what lies this near to the outline is rim or wall.
+// Relative to the radius: vertices this near to the outline belong to the rim or wall.
 constexpr double rim_tolerance = 0.02;
 
-// Of the radius: a wall is higher than this.
+// Relative to the radius: minimum height of a wall.
 constexpr double lowest_wall = 0.05;
 
-// Of the radius: how far the two rims of a wall may be out of line.
+// Relative to the radius: largest misalignment of the two rims of a wall.
 constexpr double most_offset = 0.05;
 
 Vector3 point_of(const FeaturePatch& patch, int vertex)
@@ -40,7 +40,7 @@ struct Core
 {
     RimProfile profile;
     VertexIds vertices;
-    std::vector<VertexIds> rims;  //!< the flat circles or slots among them, in order
+    std::vector<VertexIds> rims;  //!< the flat circles or slots among the vertices, in order
     bool has_wall = false;
 };
 
@@ -49,7 +49,7 @@ double slack_of(const RimProfile& profile)
     return std::max(rim_tolerance * profile.radius, profile.tolerance);
 }
 
-// The vertices of the feature nearest to the axis.
+// The vertices of the feature that are nearest to the axis.
 VertexIds innermost(const FeaturePatch& patch, const RimProfile& profile)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -84,7 +84,7 @@ bool lie_on(const FeaturePatch& patch, const RimProfile& profile, const VertexId
         { return std::abs(profile.distance(point_of(patch, vertex))) <= slack_of(profile); });
 }
 
-// The outline between two rims, if they face each other.
+// The outline halfway between two rims; nothing if they are not aligned.
 std::optional<RimProfile> between(const RimProfile& one, const RimProfile& other)
 {
     const Vector3 way = other.centre - one.centre;
@@ -106,7 +106,7 @@ std::optional<RimProfile> between(const RimProfile& one, const RimProfile& other
     return profile;
 }
 
-// A wall with its two rims, from triangles that all lie at the same distance from the axis.
+// A wall with its two rims, from vertices at the same distance from the axis.
 std::optional<Core> wall(const FeaturePatch& patch, const VertexIds& vertices)
 {
     Core core{{}, vertices, patch.loops_of(vertices), true};
@@ -128,7 +128,7 @@ std::optional<Core> wall(const FeaturePatch& patch, const VertexIds& vertices)
     return core;
 }
 
-// Whether a free rim is one of a hole: the sheet goes on outwards, not along the axis.
+// Whether a free rim belongs to a hole: the sheet then continues outwards and not along the axis.
 bool goes_outwards(const FeaturePatch& patch, const RimProfile& profile, const VertexIds& loop)
 {
     double outwards = 0.0;
@@ -159,7 +159,8 @@ std::optional<Core> core_around(const FeaturePatch& patch, const VertexIds& loop
     return Core{*profile, loop, {loop}, false};
 }
 
-// A wall is a hole's if the sheet goes on outwards at both ends; else it is a pipe or a boss.
+// A wall belongs to a hole if the sheet continues outwards at both ends; else it is a pipe or a
+// boss.
 bool is_hole(const FeaturePatch& patch, const Core& core)
 {
     if (core.rims.empty())
@@ -177,7 +178,8 @@ bool is_hole(const FeaturePatch& patch, const Core& core)
     return true;
 }
 
-// All of it on the rim, however uneven, and from there outwards; a share of it inside a filled rim.
+// Full growth on the rim and outside it. Inside a filled rim, growth decreases linearly to zero at
+// the axis.
 Vector3 growth_at(const FeatureShape& shape, const RimProfile& profile, const Vector3& point,
                   bool is_rim)
 {
@@ -189,7 +191,7 @@ Vector3 growth_at(const FeatureShape& shape, const RimProfile& profile, const Ve
     return per_radius * share * profile.outward(point);
 }
 
-// By vertex of the patch: from where it is to the exact outline.
+// By vertex of the patch: displacement to the exact outline, mm.
 Points rounding_of(const FeaturePatch& patch, const Core& core)
 {
     Points rounding = Points::Zero(patch.mesh().vertex_count(), 3);

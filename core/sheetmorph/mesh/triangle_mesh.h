@@ -6,7 +6,7 @@
 namespace sheetmorph::mesh
 {
 
-//! A mesh at rest: any triangles over any points; nothing about manifoldness is assumed.
+//! A mesh at rest: arbitrary triangles over arbitrary points. It need not be manifold.
 class TriangleMesh
 {
 public:
@@ -14,7 +14,8 @@ public:
 
     //! \param points     (n, 3) mm
     //! \param triangles  (m, 3) rows of `points`
-    //! \throws InvalidInput naming the rows: a point not finite or too far, an index out of range
+    //! \throws InvalidInput naming the rows: a point not finite or too far away, an index out of
+    //!                      range
     TriangleMesh(Points points, Triangles triangles);
 
     const Points& points() const { return points_; }
@@ -25,7 +26,7 @@ public:
     //! Diagonal of the bounding box, mm.
     double size() const;
 
-    //! Whether all points and triangles are the same.
+    //! Whether all points and triangles are equal.
     bool operator==(const TriangleMesh& other) const
     {
         return points_.rows() == other.points_.rows()
@@ -38,7 +39,7 @@ private:
     Triangles triangles_;
 };
 
-//! tol = 1e-12 * size + 8 * eps * max|coordinate|: what "exact" means for these points (mm).
+//! Tolerance up to which these points count as exact, mm: 1e-12 * size + 8 * eps * max|coordinate|.
 double exactness(const Points& points, double size);
 
 }  // namespace sheetmorph::mesh

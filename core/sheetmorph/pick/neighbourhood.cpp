@@ -88,7 +88,7 @@ VertexIds Neighbourhood::grown(const VertexIds& vertices, int rings) const
     return mesh::ids_of(inside);
 }
 
-// What goes lies within as many rings of the vertices just outside.
+// A vertex is removed if it lies within `rings` rings of a vertex just outside the set.
 VertexIds Neighbourhood::shrunk(const VertexIds& vertices, int rings) const
 {
     mesh::Flags inside = mesh::flags_of(vertices, mesh_.vertex_count(), "vertices");
@@ -105,7 +105,8 @@ VertexIds Neighbourhood::shrunk(const VertexIds& vertices, int rings) const
     return mesh::ids_of(inside);
 }
 
-// Without triangles too thin to have a plane, and they are rare, every bend is known beforehand.
+// Uses the precomputed bends. Degenerate triangles are rare and have no bend of their own; they
+// need the slower search.
 std::vector<int> Neighbourhood::face(int triangle, double max_angle) const
 {
     if (has_thin_ || !std::isfinite(max_angle))

@@ -7,9 +7,9 @@
 namespace sheetmorph::pick
 {
 
-//! What growing.h finds, from tables: fast enough to be asked at every move of the mouse. Ids may
-//! be given in any order, repeated or not, and come back ascending, once. All functions throw
-//! InvalidInput that names ids outside the mesh.
+//! The searches of growing.h on precomputed tables, fast enough for every mouse move. Input ids may
+//! be in any order with repetitions; results are ascending without repetitions. All functions throw
+//! InvalidInput naming ids outside the mesh.
 class Neighbourhood
 {
 public:
@@ -18,22 +18,22 @@ public:
     //! The triangles with a corner among the vertices.
     std::vector<int> triangles_at(const VertexIds& vertices) const;
 
-    //! As grow_rings and shrink_rings; `rings` >= 0.
+    //! As grow_rings() and shrink_rings(); `rings` >= 0.
     VertexIds grown(const VertexIds& vertices, int rings) const;
     VertexIds shrunk(const VertexIds& vertices, int rings) const;
 
-    //! The triangles of the face around one, which ends at creases of `max_angle` radians or more:
-    //! as grow_to_creases.
+    //! The face around a triangle, bounded by creases of `max_angle` radians or more; as
+    //! grow_to_creases().
     std::vector<int> face(int triangle, double max_angle) const;
 
-    //! The triangles connected with one: as connected_triangles.
+    //! The triangles connected with a triangle; as connected_triangles().
     std::vector<int> piece(int triangle) const;
 
-    //! The connected pieces of some vertices, neighbours being those that share a triangle; by
-    //! rising first vertex.
+    //! The connected components of some vertices, ordered by first vertex. Vertices are neighbours
+    //! if they share a triangle.
     std::vector<VertexIds> pieces(const VertexIds& vertices) const;
 
-    //! The closed loops of creases: as crease_loops.
+    //! The closed loops of creases; as crease_loops(), `crease` in radians.
     std::vector<VertexIds> rims(double crease) const;
 
 private:
@@ -47,7 +47,7 @@ private:
     mesh::EdgeTable edges_;
     mesh::VertexTriangles triangles_;
     std::vector<double> bends_;  // radians, at every edge of two triangles
-    bool has_thin_ = false;      // triangles without a plane of their own
+    bool has_thin_ = false;      // whether there are degenerate triangles
 };
 
 }  // namespace sheetmorph::pick

@@ -16,8 +16,8 @@ namespace
 {
 
 constexpr int rows_of_an_outline = 256;
-constexpr double margin = 1e-6;  // px, far above rounding, by which planes lie outside
-constexpr double depth_margin = 1e-9;
+constexpr double margin = 1e-6;        // px, far above rounding; shifts the planes outwards
+constexpr double depth_margin = 1e-9;  // likewise, in depth
 
 }  // namespace
 
@@ -78,8 +78,8 @@ int ScreenOutline::row_of(double y) const
     return static_cast<int>(std::clamp(row, 0.0, rows_of_an_outline - 1.0));
 }
 
-// Counts how often the figure runs round the place: a side that crosses the ray to the right of it
-// upwards counts 1, downwards -1.
+// Winding number: a side that crosses the ray to the right of the point counts 1 upwards and -1
+// downwards.
 bool ScreenOutline::contains(double x, double y) const
 {
     if (!(x >= low_.x() && x <= high_.x() && y >= low_.y() && y <= high_.y()))

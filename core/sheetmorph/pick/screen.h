@@ -8,10 +8,10 @@ namespace sheetmorph::pick
 
 using Matrix4 = Eigen::Matrix4d;
 
-//! Places on the screen, one row each: px from the lower left corner.
+//! (k, 2) points on the screen, px from the lower left corner.
 using ScreenPoints = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
-//! How a camera, parallel or in perspective, maps space to the screen.
+//! Maps space to the screen for a parallel or a perspective camera.
 class Screen
 {
 public:
@@ -20,21 +20,23 @@ public:
     //! \throws InvalidInput for numbers that are not finite, or a view without extent
     Screen(const Matrix4& to_clip, double width, double height);
 
-    //! x, y in px and a depth that grows away from the eye, from -1 to 1 between the clipping
-    //! planes, and is linear over every flat triangle. All infinite for a point behind the eye.
+    //! x, y in px, and a depth that grows away from the eye. The depth is -1 and 1 on the clipping
+    //! planes and linear over every flat triangle. All components are infinite for a point behind
+    //! the eye.
     Vector3 seen(const Vector3& point) const;
 
-    //! Planes around what is seen in a box, px and depth, as PickingTree::triangles_between takes
-    //! them: between low and high in x and y, in front of the eye, and not behind high in depth.
+    //! Planes around the part of space seen in a box (px, px, depth), as
+    //! PickingTree::triangles_between() expects them: between low and high in x and y, in front of
+    //! the eye, not beyond high in depth.
     mesh::Planes planes_around(const Vector3& low, const Vector3& high) const;
 
 private:
     Matrix4 to_clip_;
-    Eigen::Vector2d half_;  // of width and height, px
+    Eigen::Vector2d half_;  // half of width and height, px
 };
 
-//! A closed figure on the screen. Inside is what it runs round at least once, however often it
-//! crosses itself.
+//! A closed polygon on the screen. A point is inside if its winding number is not 0; the polygon
+//! may cross itself.
 class ScreenOutline
 {
 public:
@@ -44,7 +46,7 @@ public:
 
     bool contains(double x, double y) const;
 
-    //! The rectangle around it, over all depths.
+    //! The bounding rectangle, over all depths.
     Vector3 low() const { return {low_.x(), low_.y(), -1.0}; }
     Vector3 high() const { return {high_.x(), high_.y(), 1.0}; }
 
@@ -53,7 +55,8 @@ private:
 
     ScreenPoints corners_;
     Eigen::Vector2d low_, high_;
-    std::vector<std::vector<int>> sides_;  // of each of equal rows from low to high
+    // By row: the sides that reach into it; equal rows from low to high.
+    std::vector<std::vector<int>> sides_;
 };
 
 }  // namespace sheetmorph::pick

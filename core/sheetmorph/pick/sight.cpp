@@ -14,9 +14,9 @@ namespace sheetmorph::pick
 namespace
 {
 
-constexpr std::size_t few = 5000;  // vertices that are looked at in one go
+constexpr std::size_t few = 5000;  // vertices; with fewer, a second thread does not pay off
 
-// The pictures of the vertices of one shape, each computed when it is first asked for.
+// Screen points of the vertices of one shape, computed on first use.
 class Picture
 {
 public:
@@ -90,7 +90,7 @@ VertexIds visible_vertices(const mesh::PickingTree& tree, const VertexIds& verti
     for (const int vertex : mesh::ids_of(mesh::flags_of(vertices, count, "vertices")))
         if (const Vector3 place = screen.seen(tree.points().row(vertex)); are_numbers(place))
             seen.push_back({place, vertex});
-    // Two bands of the screen, each with cells of its own.
+    // Two bands of the screen, one per thread, each with its own cells.
     const auto middle = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);
     std::nth_element(seen.begin(), middle, seen.end(),
                      [](const Seen& a, const Seen& b) { return a.place.y() < b.place.y(); });

@@ -11,7 +11,7 @@ namespace sheetmorph::pick
 namespace
 {
 
-constexpr double touching = 1e-6;  // depths that differ by less are the same surface
+constexpr double touching = 1e-6;  // points whose depths differ by less are on the same surface
 constexpr double vertices_per_cell = 2.0;
 constexpr int most_cells = 1024;  // along a side
 
@@ -135,11 +135,12 @@ bool VertexCells::overlaps(const Range& range, int c) const
     return range.low <= extent_[c].high && range.high >= extent_[c].low;
 }
 
-// From where to where a triangle reaches within a row of cells.
+// The horizontal extent of a triangle within a row of cells.
 VertexCells::Range VertexCells::width_in(int row, const std::array<Vector3, 3>& corners) const
 {
     const double height = (extent_[1].high - extent_[1].low) / count_;
-    // The first and last row take what lies beyond, and rounding must lose nothing.
+    // The first and last rows include everything beyond; a margin of 0.1 % protects against
+    // rounding.
     const double low = row == 0 ? -infinite : extent_[1].low + (row - 0.001) * height;
     const double high = row == count_ - 1 ? infinite : extent_[1].low + (row + 1.001) * height;
     Range width;

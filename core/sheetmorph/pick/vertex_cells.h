@@ -9,28 +9,29 @@
 namespace sheetmorph::pick
 {
 
-//! A vertex and where it is seen, as Screen::seen has it.
+//! A vertex and its screen point, as Screen::seen() returns it.
 struct Seen
 {
     Vector3 place;
     int vertex;
 };
 
-//! Vertices in equal cells of the screen, from which triangles take those they hide.
+//! Vertices in a regular grid on the screen, from which hidden ones are removed triangle by
+//! triangle.
 class VertexCells
 {
 public:
-    //! \param seen  finite places
+    //! \param seen  finite points
     explicit VertexCells(const std::vector<Seen>& seen);
 
-    //! Takes away the vertices that lie behind a triangle by more than 1e-6 of depth.
-    //! \param corners  as they are seen; a triangle with one behind the eye hides nothing
+    //! Removes the vertices behind a triangle, by more than 1e-6 of depth.
+    //! \param corners  screen points; a triangle with a corner behind the eye hides nothing
     void hide_behind(const std::array<Vector3, 3>& corners);
 
-    //! Those that are left, in no order.
+    //! The remaining vertices, in undefined order.
     VertexIds left() const;
 
-    //! The box, px and depth, around all vertices at first.
+    //! The bounding box of all initial vertices: px, px, depth.
     Vector3 low() const { return {extent_[0].low, extent_[1].low, extent_[2].low}; }
     Vector3 high() const { return {extent_[0].high, extent_[1].high, extent_[2].high}; }
 
@@ -60,7 +61,7 @@ private:
 
     std::array<Range, 3> extent_;  // in x, y and depth
     std::array<double, 2> cells_per_px_;
-    int count_ = 1;  // of cells along a side
+    int count_ = 1;  // cells along a side
     std::vector<Cell> cells_;
     std::vector<Seen> members_;
 };

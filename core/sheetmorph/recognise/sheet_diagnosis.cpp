@@ -16,10 +16,11 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// Of a thin piece's surface that its sheets make up; the rest are small bodies that touch it.
+// Minimum share of a piece's surface that belongs to sheets. The rest is small bodies that touch
+// it.
 constexpr double least_share = 0.5;
 
-// Local thicknesses of the skins, each with the area it stands for, ascending.
+// Pairs (local thickness of a skin in mm, area it represents in mm^2), ascending.
 using Samples = std::vector<std::pair<double, double>>;
 
 Samples thicknesses(const mesh::TriangleMesh& mesh, const ThinSolid& solid,
@@ -34,7 +35,7 @@ Samples thicknesses(const mesh::TriangleMesh& mesh, const ThinSolid& solid,
     return found;
 }
 
-// The thickness below which a share of the area lies.
+// The thickness below which this share of the area lies, mm.
 double quantile(const Samples& samples, double share)
 {
     double whole = 0.0, passed = 0.0;
@@ -49,7 +50,7 @@ double quantile(const Samples& samples, double share)
 void look_at(const mesh::TriangleMesh& mesh, const ThinSolid& solid,
              const std::vector<int>& triangles, mesh::PieceDiagnosis& piece)
 {
-    std::map<double, double> areas;  // by thickness of the sheets, 0 of what is no sheet
+    std::map<double, double> areas;  // mm^2 by thickness of the component; key 0: not a sheet
     for (const int t : triangles)
         areas[solid.of_component[at(solid.component[at(t)])]] +=
             0.5 * mesh::doubled_area(mesh, t).norm();

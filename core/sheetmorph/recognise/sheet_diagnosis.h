@@ -6,8 +6,8 @@
 namespace sheetmorph::recognise
 {
 
-//! The diagnosis of a mesh with its thin solids: the closed pieces that find_thin_solid() finds
-//! thin once near vertices are one and every piece faces outwards.
+//! Diagnoses a mesh and also marks its thin solids. It merges near vertices, orients every piece
+//! outwards and marks the closed pieces that find_thin_solid() recognises as thin.
 //! \throws InvalidInput as diagnose()
 mesh::Diagnosis diagnose_sheets(const mesh::TriangleMesh& mesh, double tolerance);
 

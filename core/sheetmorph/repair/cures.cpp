@@ -20,13 +20,13 @@ namespace sheetmorph::repair
 namespace
 {
 
-// Lower triangles have no height. What is merely thin holds its neighbours together.
-constexpr double least_height = 1e-3;  // of the tolerance
+// Lower triangles are removed. Merely thin triangles stay, because they connect their neighbours.
+constexpr double least_height = 1e-3;  // relative to the tolerance
 
-// Of the longest edge: a lower facet has no area that rounding would not change.
+// Height over longest edge: rounding dominates the area of a lower facet.
 constexpr double flat = 1e-5;
 
-// Each takes every flat facet out that does not touch another one.
+// Limit on rounds. A round removes every flat facet that is not next to another removed one.
 constexpr int flat_rounds = 100;
 
 struct Facet
@@ -47,7 +47,7 @@ mesh::TriangleMesh mesh_of(const Points& points, const Facets& facets)
     return mesh::TriangleMesh(points, std::move(triangles));
 }
 
-// Its height over the longest edge, 0 if a corner stands twice.
+// Height of a facet on its longest edge, mm; 0 if a corner is repeated.
 double height(const Points& points, const Facet& facet)
 {
     const auto corner = [&](int k) -> Vector3 { return points.row(facet.corners[k]).transpose(); };
@@ -56,7 +56,7 @@ double height(const Points& points, const Facet& facet)
     return longest > 0.0 ? a.cross(b).norm() / longest : 0.0;
 }
 
-// Leaves out the facets over the corners of an earlier one.
+// Removes facets with the same corners as an earlier one.
 Facets without_doubles(const Facets& facets)
 {
     Facets found;
@@ -71,7 +71,7 @@ Facets without_doubles(const Facets& facets)
     return found;
 }
 
-// Leaves out facets without height and doubled ones.
+// Removes degenerate and duplicate facets.
 Facets sound_facets(const mesh::TriangleMesh& mesh, const std::vector<int>& first, double tolerance)
 {
     Facets facets;
@@ -86,7 +86,7 @@ Facets sound_facets(const mesh::TriangleMesh& mesh, const std::vector<int>& firs
     return without_doubles(facets);
 }
 
-// The side of a facet that is longest, or shortest.
+// Index of the longest or the shortest side of a facet.
 int side_of(const Points& points, const Facet& facet, bool is_longest)
 {
     std::array<double, 3> lengths{};
@@ -106,7 +106,7 @@ bool is_flat(const Points& points, const Facet& facet)
     return height(points, facet) <= flat * longest;
 }
 
-// The facets on every edge, whichever way round.
+// The facets at every edge, regardless of direction.
 std::map<Edge, std::vector<std::size_t>> facets_on_edges(const Facets& facets)
 {
     std::map<Edge, std::vector<std::size_t>> found;
@@ -116,7 +116,7 @@ std::map<Edge, std::vector<std::size_t>> facets_on_edges(const Facets& facets)
     return found;
 }
 
-// A facet over an edge in two, cut at a vertex on the edge.
+// The two parts of a facet cut at a vertex on one of its edges.
 Facets halves(const Facet& facet, Edge edge, int vertex)
 {
     Facets found(2, facet);
@@ -128,18 +128,19 @@ Facets halves(const Facet& facet, Edge edge, int vertex)
     return found;
 }
 
-//! Takes flat facets out of a mesh, round by round.
+//! Removes flat facets from a mesh, round by round.
 class FlatFacets
 {
 public:
-    //! `first`: of every vertex the one in its place
+    //! \param first  by vertex: the vertex that represents it
     FlatFacets(const Points& points, Facets& facets, std::vector<int>& first)
         : points_(points), facets_(facets), first_(first)
     {
     }
 
-    //! Of a needle two corners become one; where a corner stands on the opposite side, the other
-    //! facets of that side are cut there, so that nothing comes apart. Returns how many went.
+    //! Removes needles by merging two of their corners. Removes caps by cutting the other facets at
+    //! their longest side at the apex, so that the mesh stays closed. Returns the number of removed
+    //! facets.
     int take_out()
     {
         for (int round = 0; round < flat_rounds; ++round)
@@ -174,7 +175,8 @@ private:
         merge();
     }
 
-    // Cuts the facets on the longest side of a flat one at its apex, unless one is cut already.
+    // Cuts the facets at the longest side of a flat facet at its apex, unless one of them was
+    // already cut in this round.
     void cut_beside(std::size_t t, const std::vector<std::size_t>& beside)
     {
         if (std::any_of(beside.begin(), beside.end(), [&](auto k) { return is_gone_[k] != 0; }))
@@ -192,7 +194,7 @@ private:
         ++count_;
     }
 
-    // Puts the first vertex of every tiny edge in the place of the other one.
+    // Replaces the second vertex of every tiny edge by the first.
     void merge()
     {
         facets_.clear();
@@ -240,8 +242,8 @@ private:
 
 using Cuts = std::map<std::pair<int, int>, std::set<int>>;
 
-// The vertices a side of a facet is cut at, along it. The facet's own apex is none, though in a
-// flat facet it may be as near.
+// The vertices at which a side of a facet is cut, in order along it. The facet's own apex is
+// excluded; in a flat facet it may be as near.
 VertexIds cuts_of(const Points& points, const Facet& facet, int side, const Cuts& known)
 {
     const int from = facet.corners[side], to = facet.corners[(side + 1) % 3];
@@ -256,7 +258,7 @@ VertexIds cuts_of(const Points& points, const Facet& facet, int side, const Cuts
     return cuts;
 }
 
-// A fan of the facet over its side `side`, which is cut at some vertices.
+// A fan of triangles from the apex opposite `side`, which is cut at the given vertices.
 Facets fan(const Facet& facet, int side, VertexIds cuts)
 {
     const int from = facet.corners[side], to = facet.corners[(side + 1) % 3];
@@ -272,7 +274,7 @@ Facets fan(const Facet& facet, int side, VertexIds cuts)
     return pieces;
 }
 
-// Cuts each facet at the vertices inside one of its edges; returns how many were cut.
+// Cuts each facet at the vertices inside one of its edges. Returns the number of cut facets.
 int cut_junctions(const Points& points, Facets& facets, double tolerance)
 {
     const mesh::TriangleMesh mesh = mesh_of(points, facets);
@@ -296,7 +298,7 @@ int cut_junctions(const Points& points, Facets& facets, double tolerance)
     return count;
 }
 
-// Only vertices that a facet has, in their old order.
+// Keeps only the vertices that facets use, in their original order.
 void number_vertices(const Points& points, const Facets& facets, const std::vector<int>& first,
                      CuredMesh& found)
 {
@@ -323,7 +325,7 @@ void number_vertices(const Points& points, const Facets& facets, const std::vect
     found.mesh = mesh::TriangleMesh(std::move(kept), std::move(triangles));
 }
 
-// The mesh of the facets, each piece facing one way, closed ones outwards.
+// Builds the mesh with consistently oriented pieces, closed ones outwards.
 void put_together(const Points& points, const Facets& facets, const std::vector<int>& first,
                   CuredMesh& found)
 {
@@ -336,7 +338,7 @@ void put_together(const Points& points, const Facets& facets, const std::vector<
     found.mesh = mesh::oriented(found.mesh, orientation);
 }
 
-// Leaves out the walls that two pieces have in common; returns how many facets.
+// Removes the walls that two pieces share. Returns the number of removed facets.
 int open_inner_walls(const mesh::TriangleMesh& mesh, Facets& facets)
 {
     const std::vector<char> is_inner = inner_walls(mesh);
@@ -378,7 +380,7 @@ CuredMesh cured(const mesh::TriangleMesh& mesh, double tolerance, int most_round
         found.removed += inner;
         put_together(mesh.points(), facets, places.first, found);
     }
-    // Cuts may have made a triangle that was there already.
+    // A cut may have created a triangle that already existed.
     if (Facets once = without_doubles(facets); once.size() < facets.size())
     {
         found.removed += static_cast<int>(facets.size() - once.size());

@@ -16,7 +16,7 @@ namespace sheetmorph::repair
 namespace
 {
 
-// Of a wall's area: how far it may be from flat, or from facing the other.
+// Relative to a wall's area: largest deviation from flatness, and from facing the other wall.
 constexpr double rounding = 1e-5;
 
 struct Side
@@ -27,8 +27,8 @@ struct Side
     bool is_at(const Side& other) const { return low == other.low && high == other.high; }
 };
 
-// The sides of triangles that share an edge. Unlike EdgeTable's, those of triangles that stand
-// twice count twice.
+// The sides of triangles that share an edge. Unlike EdgeTable, it counts each side of duplicate
+// triangles.
 using Edge = std::vector<Side>;
 
 std::vector<Edge> edges_of(const mesh::TriangleMesh& mesh)
@@ -55,7 +55,8 @@ std::vector<Edge> edges_of(const mesh::TriangleMesh& mesh)
     return edges;
 }
 
-// By triangle: its piece, connected across edges of two triangles; the piece's first triangle.
+// By triangle: its piece, named by the piece's first triangle. Triangles connect across edges of
+// exactly two triangles.
 std::vector<int> pieces_of(const mesh::TriangleMesh& mesh, const std::vector<Edge>& edges)
 {
     DisjointSets sets(mesh.triangle_count());
@@ -68,7 +69,7 @@ std::vector<int> pieces_of(const mesh::TriangleMesh& mesh, const std::vector<Edg
     return piece;
 }
 
-// Which pieces have vertices in common, and which have a vertex.
+// Pairs of pieces that share vertices, and the pieces at each vertex.
 struct Touching
 {
     std::vector<std::set<int>> at;  // by vertex
@@ -93,7 +94,7 @@ struct Touching
         return next != pairs.end() && next->first == piece;
     }
 
-    // Whether a vertex is only of pieces that the given one touches.
+    // Whether all pieces at a vertex touch the given piece, and none is that piece.
     bool is_across(int vertex, int piece) const
     {
         return std::all_of(at[vertex].begin(), at[vertex].end(),

@@ -6,13 +6,14 @@
 namespace sheetmorph::repair
 {
 
-//! Where closed pieces of a mesh that have vertices in common lie against each other: the edges of
-//! one that run through a vertex of the other, in both directions of each.
+//! The edges of closed pieces that run through a vertex of another piece, in both directions of
+//! each edge. Only pieces that share vertices are searched.
 //! \param tolerance  mm, >= 0
 std::vector<mesh::TJunction> seam_junctions(const mesh::TriangleMesh& mesh, double tolerance);
 
-//! The triangles (m) of flat walls that two pieces have in common: two flats with one outline, face
-//! to face, each edge of it used by both. Without them the pieces are one solid.
+//! Marks the triangles (m) of flat walls that two pieces share: two flats with the same outline,
+//! face to face, whose outline edges both pieces use. Without these walls the pieces form one
+//! solid.
 std::vector<char> inner_walls(const mesh::TriangleMesh& mesh);
 
 }  // namespace sheetmorph::repair

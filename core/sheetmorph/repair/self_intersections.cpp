@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Of CGAL only its kernel, which is LGPL: exact predicates.
+// Only CGAL's kernel (LGPL) is used, for exact predicates.
 #include "sheetmorph/repair/self_intersections.h"
 
 #include "sheetmorph/base/index.h"
@@ -36,7 +36,7 @@ bool has_area(const mesh::TriangleMesh& mesh, int t)
                             exact(corner(mesh, t, 2)));
 }
 
-// Two triangles with area, turned so that the corners they share come first.
+// Two triangles with area, permuted so that their shared corners come first.
 class Pair
 {
 public:
@@ -77,11 +77,12 @@ private:
         std::swap(order[at(where)], *std::find(order.begin(), order.end(), k));
     }
 
-    // Whether a plane through the corners that they share, or between them, keeps them apart by
-    // more than rounding. Exact predicates take long on flat sheets; few pairs are left for them.
+    // Whether a plane through the shared corners, or between the triangles, separates them by more
+    // than rounding. This filter avoids exact predicates for most pairs; they are slow on flat
+    // sheets.
     bool has_clear_plane_between() const
     {
-        constexpr double rounding = 1e-12;  // of a coordinate: thousands of its last digit
+        constexpr double rounding = 1e-12;  // relative; thousands of times the rounding error
         const Vector3& origin = p_[0];
         const auto ahead = [&](const Places& places)
         {
@@ -120,7 +121,7 @@ private:
         if (shared_ == 1)
             return CGAL::do_intersect(Kernel::Segment_3(p[1], p[2]), triangle(q))
                    || CGAL::do_intersect(Kernel::Segment_3(q[1], q[2]), triangle(p));
-        // Over one side they meet elsewhere only where one lies folded onto the other.
+        // Triangles that share a side meet elsewhere only if they are coplanar and overlap.
         return CGAL::coplanar(p[0], p[1], p[2], q[2])
                && CGAL::coplanar_orientation(p[0], p[1], p[2], q[2]) == CGAL::POSITIVE;
     }

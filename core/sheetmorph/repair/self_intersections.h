@@ -8,8 +8,8 @@
 namespace sheetmorph::repair
 {
 
-//! The pairs of triangles, smaller index first, that meet anywhere but in the corners and sides
-//! they share, told exactly; ascending. Triangles without area do not count.
+//! The pairs of triangles that meet anywhere except in shared corners and sides, by exact
+//! predicates; smaller index first, ascending. Triangles without area are ignored.
 std::vector<std::pair<int, int>> self_intersections(const mesh::TriangleMesh& mesh);
 
 }  // namespace sheetmorph::repair

@@ -2,7 +2,6 @@
 #include "sheetmorph/surface/surface_deformer.h"
 
 #include "sheetmorph/surface/live/response.h"
-#include "sheetmorph/surface/rates/pose_rates.h"
 #include "sheetmorph/surface/solve/pose_solve.h"
 
 namespace sheetmorph::surface
@@ -36,11 +35,6 @@ std::unique_ptr<Response> SurfaceDeformer::response(const std::vector<SurfaceTar
                                                     const Progress& progress) const
 {
     return std::make_unique<Response>(*data_, samples, readers, progress);
-}
-
-std::unique_ptr<PoseRates> SurfaceDeformer::rates(SurfaceTargets targets) const
-{
-    return std::make_unique<PoseRates>(*data_, std::move(targets));
 }
 
 bool SurfaceDeformer::can_respond() const

@@ -12,45 +12,39 @@
 namespace sheetmorph::surface
 {
 
-class PoseRates;
 class Response;
 struct ResponseReaders;
 
-//! Deforms one part as a thin plate whose form features stay rigid (2.9, 2.10).
-//! The constructor factorises (pre-processing phase), deform() only substitutes (interactive
-//! phase).
+//! Deforms one part as a thin plate with rigid form features (2.9, 2.10). The constructor
+//! factorises (pre-processing phase); deform() only back-substitutes (interactive phase).
 class SurfaceDeformer
 {
 public:
-    //! \param earlier  the same part under other constraints: what does not change is taken over
-    //! \throws InvalidInput naming ids: a component that nothing holds, constraints that contradict
-    //! \throws Cancelled    if the progress callback asks for it
+    //! \param earlier  the same part under other constraints; reuses all unchanged data
+    //! \throws InvalidInput naming ids: an unsupported component, contradicting constraints
+    //! \throws Cancelled    on request of the progress callback
     SurfaceDeformer(const mesh::TriangleMesh& rest, const SurfaceConstraints& constraints,
                     const Progress& progress = {}, const SurfaceDeformer* earlier = nullptr);
     ~SurfaceDeformer();
     SurfaceDeformer(SurfaceDeformer&&) noexcept;
     SurfaceDeformer& operator=(SurfaceDeformer&&) noexcept;
 
-    //! Always from rest, so a pose has one answer whatever came before. Fixed and handle vertices
-    //! are met bitwise, features are rigid and points met to exactness().
-    //! \throws InvalidInput if point targets contradict each other or what is rigid or fixed
-    //! \throws Cancelled if the progress callback asks for it
+    //! Always starts from rest, so a pose has one result regardless of earlier poses. Fixed and
+    //! handle vertices meet their targets bitwise, features are rigid, and points meet their
+    //! targets to exactness().
+    //! \throws InvalidInput if point targets contradict each other or a rigid or fixed region
+    //! \throws Cancelled    on request of the progress callback
     Deformation deform(const SurfaceTargets& targets, Exactness exactness = Exactness::exact,
                        const Progress& progress = {}) const;
 
-    //! How the part answers to whatever drives it, learnt from poses, for live frames without
-    //! substitution (response.h). The deformer must outlive it.
-    //! \throws Cancelled if the progress callback asks for it
+    //! A reduced model of the part's response, trained on sample poses, for live frames without
+    //! back-substitution (response.h). The deformer must outlive it.
+    //! \throws Cancelled on request of the progress callback
     std::unique_ptr<Response> response(const std::vector<SurfaceTargets>& samples,
                                        const ResponseReaders& readers,
                                        const Progress& progress = {}) const;
 
-    //! How the exact answer changes with the targets, its factors differentiated (pose_rates.h).
-    //! The deformer must outlive it.
-    //! \throws NoDerivative where it is not differentiated
-    std::unique_ptr<PoseRates> rates(SurfaceTargets targets) const;
-
-    //! Whether response() knows the part.
+    //! Whether response() supports the part.
     bool can_respond() const;
 
     const mesh::TriangleMesh& rest() const;

@@ -291,57 +291,6 @@ void LocalRotationMeter::turn(const Points& deformed, std::vector<Matrix3>& refe
     parallel_ranges(static_cast<Eigen::Index>(batches_.size()), microsecond_items, turn_some);
 }
 
-Points LocalRotationMeter::spins(const Points& deformed, const LocalRotations& measured,
-                                 const Points& rates, const Points& reference_spins) const
-{
-    const Points now = of_reads(deformed), changing = of_reads(rates);
-    Points found = reference_spins;
-    for (std::size_t k = 0; k < count_; ++k)
-        if (tells(k))
-            found.row(static_cast<Eigen::Index>(k)) =
-                ring_spin(k, now, measured.matrices[k], changing).transpose();
-    return found;
-}
-
-// The map of a ring is (sum of its edges' images + that of its normal) times what its moments are
-// at rest; the reference it is told about drops out.
-Vector3 LocalRotationMeter::ring_spin(std::size_t ring, const Points& now, const Matrix3& rotation,
-                                      const Points& rates) const
-{
-    const RingBatch& batch = batches_[ring / RingBatch::lanes];
-    const std::size_t lane = ring % RingBatch::lanes;
-    const int vertex = batch.vertex[lane];
-    Matrix3 images = Matrix3::Zero(), change = Matrix3::Zero(), inverse;
-    Vector3 area = Vector3::Zero(), before = area, area_rate = area, rate_before = area;
-    for (std::size_t k = batch.first; k < batch.first + at(batch.count); ++k)
-    {
-        const RingSpokes& spoke = spokes_[k];
-        const Vector3 edge = arm(rest_, vertex, spoke.other[lane]);
-        const Vector3 moved = arm(now, vertex, spoke.other[lane]);
-        const Vector3 rate = arm(rates, vertex, spoke.other[lane]);
-        images += spoke.triangles[lane] * moved * edge.transpose();
-        change += spoke.triangles[lane] * rate * edge.transpose();
-        area += spoke.is_next[lane] * before.cross(moved);
-        area_rate += spoke.is_next[lane] * (rate_before.cross(moved) + before.cross(rate));
-        before = moved;
-        rate_before = rate;
-    }
-    const double weight = batch.normal_weight[lane];
-    if (weight > 0.0 && area.norm() > 0.0)
-    {
-        const Vector3 rest_normal(batch.normal[0][lane], batch.normal[1][lane],
-                                  batch.normal[2][lane]);
-        const Vector3 normal = area.normalized();
-        const Vector3 tilting = (area_rate - normal * normal.dot(area_rate)) / area.norm();
-        images += weight * normal * rest_normal.transpose();
-        change += weight * tilting * rest_normal.transpose();
-    }
-    const auto& entries = batch.inverse;
-    inverse << entries[0][lane], entries[3][lane], entries[4][lane], entries[3][lane],
-        entries[1][lane], entries[5][lane], entries[4][lane], entries[5][lane], entries[2][lane];
-    return spin_of_polar(rotation, images * inverse, change * inverse);
-}
-
 RigidMotion mean_motion(const Points& rest, const Points& deformed, const LocalRotations& turned,
                         const Eigen::VectorXd& weights)
 {
@@ -363,17 +312,6 @@ RigidMotion mean_motion(const Points& rest, const Points& deformed, const LocalR
     motion.pivot = (share.transpose() * rest).transpose();
     motion.translation = (share.transpose() * (deformed - rest)).transpose();
     return motion;
-}
-
-MotionRate mean_motion_rate(const RigidMotion& mean, const Points& rates, const Points& log_rates,
-                            const Eigen::VectorXd& weights)
-{
-    const Eigen::VectorXd share = shares(weights, rates.rows());
-    MotionRate rate;
-    rate.shift = (share.transpose() * rates).transpose();
-    rate.log = (share.transpose() * log_rates).transpose();
-    rate.spin = spin_of_log(mean.rotation_log, rate.log);
-    return rate;
 }
 
 }  // namespace sheetmorph::volume

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/base/rates.h"
+#include "sheetmorph/base/rigid_motion.h"
 #include "sheetmorph/mesh/search/part_geometry.h"
 #include "sheetmorph/volume/rotations/rotation_kernel.h"
 
@@ -43,12 +43,6 @@ public:
     //! The vertices, of those given, that turn as their reference says.
     VertexIds without_ring() const;
 
-    //! (k, 3) spins of the measured rotations where the mesh moves.
-    //! \param rates            (n, 3) how the positions change
-    //! \param reference_spins  (k, 3) of the references' rotations
-    Points spins(const Points& deformed, const LocalRotations& measured, const Points& rates,
-                 const Points& reference_spins) const;
-
     //! The vertices whose positions are measured.
     const VertexIds& reads() const { return reads_; }
 
@@ -60,8 +54,6 @@ private:
     Points of_reads(const Points& points) const;
     void require_rows(const Points& deformed, const Points& references, std::size_t wanted) const;
     void turn(const Points& deformed, std::vector<Matrix3>& references) const;
-    Vector3 ring_spin(std::size_t ring, const Points& now, const Matrix3& rotation,
-                      const Points& rates) const;
 
     int vertex_count_;
     std::size_t count_ = 0;  // of rings
@@ -80,10 +72,5 @@ private:
 //! \param weights         k, >= 0, such as vertex areas; empty for equal ones
 RigidMotion mean_motion(const Points& rest, const Points& deformed, const LocalRotations& turned,
                         const Eigen::VectorXd& weights = {});
-
-//! How it changes.
-//! \param rates, log_rates  (k, 3) of the positions and of the logs
-MotionRate mean_motion_rate(const RigidMotion& mean, const Points& rates, const Points& log_rates,
-                            const Eigen::VectorXd& weights = {});
 
 }  // namespace sheetmorph::volume

@@ -6,6 +6,7 @@
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/base/rotations/rotation_batch.h"
+#include "sheetmorph/numerics/products/row_space.h"
 #include "sheetmorph/volume/mean_value_coordinates.h"
 #include "sheetmorph/volume/rotations/rotation_kernel.h"
 
@@ -25,6 +26,12 @@ constexpr double difference_step = 1e-3;
 
 // Targets composed at a time, so that the weights of many targets never exist together.
 constexpr Eigen::Index chunk = 256;
+
+// More rows than this never exist together in double, so their rank is not computed.
+constexpr Eigen::Index most_together = 20000;
+
+// Truncation of the targets' rows: below the rounding of their entries.
+constexpr double negligible = 0x1p-43;
 
 void check(const LinkSource& source, const LinkOptions& options)
 {
@@ -132,41 +139,86 @@ const VolumeLink::Fit& VolumeLink::fit() const
 
 void VolumeLink::compose(const MeanValueCoordinates& coordinates, std::unique_ptr<const Fit> fit)
 {
-    const Eigen::Index each = options_.rotations ? 4 : 1, count = targets_.rows();
     const Eigen::Index inputs = input_count(), vertices = control_.vertices.rows();
     if (options_.rotations)
         nearest_ = nearest_rows(source_, targets_);
-    is_composed_ = each * count * inputs <= vertices * (each * count + inputs);
-    const Eigen::Index columns = is_composed_ ? inputs : vertices;
-    const double bytes = sizeof(double) * static_cast<double>(each * count * columns);
-    const bool is_kept = bytes <= options_.most_kept;
-    is_composed_ = is_composed_ && is_kept;
-    if (is_kept)
-        keep_rows(coordinates, *fit);
-    else
+    const double doubles = static_cast<double>(row_count() * std::min(inputs, vertices));
+    if (sizeof(double) * doubles > options_.most_kept)
+    {
         coordinates_ = std::make_shared<const MeanValueCoordinates>(coordinates);
-    if (!is_composed_)
         later_fit_->fit = std::move(fit);
+    }
+    else if (row_count() <= most_together)
+        keep_low_rank(coordinates, *fit);
+    else
+        keep_rows(coordinates, *fit);
 }
 
+// Keep the targets' rows on the inputs as a product of low rank where that takes less memory.
+void VolumeLink::keep_low_rank(const MeanValueCoordinates& coordinates, const Fit& fit)
+{
+    Weights half(row_count(), control_.vertices.rows());
+    for (Eigen::Index row = 0, first = 0; row < half.rows(); first += chunk)
+    {
+        const Weights rows = fit.factor.half_solve_rows(target_rows(coordinates, first));
+        half.middleRows(row, rows.rows()) = rows;
+        row += rows.rows();
+    }
+    const Weights half_inputs = fit.from_inputs.transpose();
+    // An entry of rows_ takes six bytes, one of combined_ eight.
+    const Eigen::Index rows = half.rows(), inputs = half_inputs.rows();
+    const Weights basis = numerics::row_space(
+        {half, half_inputs}, 3 * rows * inputs / (3 * rows + 4 * inputs), negligible);
+    Weights through = half_inputs;
+    if (basis.rows() != 0)
+    {
+        through = Weights::Zero(basis.rows(), half.cols());
+        numerics::add_product(basis, fit.from_inputs, 1.0, through);
+        combined_ = numerics::ExactPanelRows(basis);
+    }
+    rows_ = numerics::CompactPanelRows(rows, through.rows());
+    for (Eigen::Index first = 0; first < rows; first += 4 * chunk)
+    {
+        const Eigen::Index count = std::min(4 * chunk, rows - first);
+        Weights some = Weights::Zero(count, through.rows());
+        numerics::add_product(half.middleRows(first, count), through, 1.0, some);
+        rows_.set(first, some);
+    }
+}
+
+// Keep the targets' rows on the control vertices, or on the inputs where these are few.
 void VolumeLink::keep_rows(const MeanValueCoordinates& coordinates, const Fit& fit)
 {
-    const Eigen::Index each = options_.rotations ? 4 : 1, count = targets_.rows();
-    const Eigen::Index columns = is_composed_ ? input_count() : control_.vertices.rows();
-    const Weights half_inputs = is_composed_ ? fit.from_inputs.transpose() : Weights();
-    rows_ = numerics::CompactPanelRows(each * count, columns);
-    for (Eigen::Index first = 0; first < count; first += chunk)
+    const Eigen::Index inputs = input_count(), vertices = control_.vertices.rows();
+    const bool is_composed = row_count() * inputs <= vertices * (row_count() + inputs);
+    const Weights half_inputs = fit.from_inputs.transpose();
+    if (!is_composed)
+    {
+        Weights control = Weights::Zero(vertices, inputs);
+        numerics::add_product(fit.factor.half_solve_rows(Weights::Identity(vertices, vertices)),
+                              half_inputs, 1.0, control);
+        combined_ = numerics::ExactPanelRows(control);
+    }
+    rows_ = numerics::CompactPanelRows(row_count(), is_composed ? inputs : vertices);
+    for (Eigen::Index first = 0, row = 0; row < row_count(); first += chunk)
     {
         Weights rows = target_rows(coordinates, first);
-        if (is_composed_)
+        if (is_composed)
         {
-            Weights composed = Weights::Zero(rows.rows(), columns);
+            Weights composed = Weights::Zero(rows.rows(), inputs);
             numerics::add_product(fit.factor.half_solve_rows(std::move(rows)), half_inputs, 1.0,
                                   composed);
             rows = std::move(composed);
         }
-        rows_.set(each * first, rows);
+        rows_.set(row, rows);
+        row += rows.rows();
     }
+}
+
+// Targets with rotations have a row for the position and one for each of three derivatives.
+Eigen::Index VolumeLink::row_count() const
+{
+    return (options_.rotations ? 4 : 1) * targets_.rows();
 }
 
 // For a chunk of targets a row for the position of each and, with rotations, one for each
@@ -238,17 +290,16 @@ Points VolumeLink::control_vertices(const SourceState& state) const
 // many targets are one link's.
 Points VolumeLink::displacements(const Points& inputs, Exactness exactness) const
 {
-    if (is_composed_)
-        return rows_.times(inputs, exactness);
-    const Points control = fit().displacements(inputs);
     if (coordinates_ == nullptr)
-        return rows_.times(control, exactness);
-    const Eigen::Index each = options_.rotations ? 4 : 1;
-    Points moved(each * targets_.rows(), 3);
-    for (Eigen::Index first = 0; first < targets_.rows(); first += chunk)
+        return combined_.rows() == 0 ? rows_.times(inputs, exactness)
+                                     : rows_.times(combined_.times(inputs, exactness), exactness);
+    const Points control = fit().displacements(inputs);
+    Points moved(row_count(), 3);
+    for (Eigen::Index first = 0, row = 0; row < moved.rows(); first += chunk)
     {
         const Weights rows = target_rows(*coordinates_, first);
-        moved.middleRows(each * first, rows.rows()) = numerics::narrow_product(rows, control);
+        moved.middleRows(row, rows.rows()) = numerics::narrow_product(rows, control);
+        row += rows.rows();
     }
     return moved;
 }
@@ -290,42 +341,6 @@ LinkedTargets VolumeLink::transfer(const SourceState& state, Exactness exactness
     if (told.tilts.rows() != 0)
         result.rotations = std::move(maps);
     return result;
-}
-
-LinkedRates VolumeLink::transfer_rate(const SourceState& state, const SourceRate& rate) const
-{
-    const Eigen::Index count = source_.rows();
-    const Matrix3 mean = state.mean.rotation(), turning = cross_matrix(rate.mean.spin) * mean;
-    Points change(input_count(), 3);
-    for (Eigen::Index i = 0; i < count; ++i)
-    {
-        change.row(i) = rate.positions.row(i)
-                        - rate.mean.at(state.mean, source_.row(i).transpose()).transpose();
-        if (source_offsets_.rows() == 0)
-            continue;
-        const Matrix3 own = cross_matrix(rate.spins.row(i).transpose()) * state.rotations[i];
-        change.row(count + i) = ((own - turning) * source_offsets_.row(i).transpose()).transpose();
-    }
-    const Points moved = displacements(inputs(state), Exactness::exact);
-    const Points moving = displacements(change, Exactness::exact);
-    const Matrix3 axes = steps_.colwise().normalized();
-    LinkedRates found{Points(targets_.rows(), 3), Points(targets_.rows(), 3),
-                      Points(targets_.rows(), 3)};
-    for (Eigen::Index i = 0; i < targets_.rows(); ++i)
-    {
-        const Matrix3 map = mean + moved.middleRows<3>(4 * i + 1).transpose() * axes.transpose();
-        const Matrix3 map_rate =
-            turning + moving.middleRows<3>(4 * i + 1).transpose() * axes.transpose();
-        const Matrix3 rotation = polar_rotation(map);
-        const Vector3 spin = spin_of_polar(rotation, map, map_rate);
-        const Vector3 log = log_near(rotation, state.logs.row(nearest_[i]).transpose());
-        require_whole_log(rotation, log);
-        found.positions.row(i) =
-            rate.mean.at(state.mean, targets_.row(i).transpose()).transpose() + moving.row(4 * i);
-        found.logs.row(i) = log_rate_of_spin(log, spin).transpose();
-        found.spins.row(i) = spin.transpose();
-    }
-    return found;
 }
 
 }  // namespace sheetmorph::volume

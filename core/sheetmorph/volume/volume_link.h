@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/base/rates.h"
+#include "sheetmorph/base/rigid_motion.h"
 #include "sheetmorph/numerics/products/panel_rows.h"
 #include "sheetmorph/volume/control_mesh.h"
 #include "sheetmorph/volume/control_mesh_fit.h"
@@ -54,29 +54,16 @@ struct LinkedTargets
     Matrix3 rotation(Eigen::Index row) const;
 };
 
-//! How a SourceState changes; its logs must be there.
-struct SourceRate
-{
-    Points positions;  //!< (n, 3) mm
-    Points spins;      //!< (n, 3) of the local rotations
-    MotionRate mean;
-};
-
-//! How LinkedTargets change.
-struct LinkedRates
-{
-    Points positions;  //!< (k, 3) mm
-    Points logs;       //!< (k, 3) radians
-    Points spins;      //!< (k, 3) of the rotations
-};
-
 //! Source points drive a control mesh (3.3), the control mesh drives target points (2.11).
 //! Targets move by the source's mean motion plus a displacement, so that a source at rest leaves
 //! them where they are, bit for bit, and a rigid motion of the source is theirs to rounding.
-//! Memory: about k * min(inputs, m) entries of six bytes, four times that with rotations; inputs
-//! are the n source points, twice as many with offset samples. Above `most_kept` the link keeps
-//! none: every transfer() works the weights out anew, 256 targets at a time. A link whose weights
-//! are those of the inputs does not keep its fit: the first control_vertices() makes it again.
+//! The rows of the targets apply to the inputs (n source points, twice as many with offset
+//! samples), or, where that takes less memory, to combinations of the inputs: s of them if the rows
+//! have the numerical rank s, the m control vertices if the targets are too many to compute a rank.
+//! Memory: about (k + inputs) * min(s, m) or k * inputs entries of six bytes, k four times the
+//! targets with rotations. Above `most_kept` the link keeps no rows: every transfer() computes the
+//! weights again, 256 targets at a time. Only such a link keeps its fit; otherwise the first
+//! control_vertices() computes it again.
 class VolumeLink
 {
 public:
@@ -86,10 +73,6 @@ public:
 
     //! \throws InvalidInput if the state has another number of points
     LinkedTargets transfer(const SourceState& state, Exactness exactness = Exactness::exact) const;
-
-    //! How it changes with the source; for links with rotations. \throws NoDerivative near whole
-    //! turns
-    LinkedRates transfer_rate(const SourceState& state, const SourceRate& rate) const;
 
     //! (m, 3) mm: the control mesh that does it, to be shown.
     Points control_vertices(const SourceState& state) const;
@@ -115,8 +98,10 @@ private:
     const Fit& fit() const;
     void compose(const MeanValueCoordinates& coordinates, std::unique_ptr<const Fit> fit);
     void keep_rows(const MeanValueCoordinates& coordinates, const Fit& fit);
+    void keep_low_rank(const MeanValueCoordinates& coordinates, const Fit& fit);
     numerics::Weights target_rows(const MeanValueCoordinates& coordinates,
                                   Eigen::Index first) const;
+    Eigen::Index row_count() const;
     Points displacements(const Points& inputs, Exactness exactness) const;
 
     LinkOptions options_;
@@ -126,8 +111,8 @@ private:
     Matrix3 steps_;          // columns: how far apart the targets' map is compared, mm
     std::shared_ptr<LaterFit> later_fit_;
     std::vector<Eigen::Index> nearest_;  // source point of every target, with rotations
-    numerics::CompactPanelRows rows_;    // of the targets, on the inputs or on the control vertices
-    bool is_composed_ = false;
+    numerics::CompactPanelRows rows_;    // of the targets, on the inputs or on combined_
+    numerics::ExactPanelRows combined_;  // (s or m, inputs); empty: rows_ are on the inputs
     std::shared_ptr<const MeanValueCoordinates> coordinates_;  // instead of rows that are not kept
 };
 

@@ -71,7 +71,9 @@ inline double bending(const Case& one, const Points& shape)
                            .normalized());
     };
     double sum = 0.0;
-    for (const auto& [ends, sides] : edges)
+    for (const auto& edge : edges)
+    {
+        const std::vector<int>& sides = edge.second;
         if (sides.size() == 2)
         {
             const auto angle = [&](const Points& points) {
@@ -80,6 +82,7 @@ inline double bending(const Case& one, const Points& shape)
             };
             sum += std::pow(angle(shape) - angle(one.mesh.points()), 2);
         }
+    }
     return sum;
 }
 

@@ -285,23 +285,51 @@ TEST(VolumeLinkTest, AHandleTwistedThroughFourHundredDegreesMovesTheTargetSmooth
     EXPECT_LT(largest, 0.02);
 }
 
+// A sheet of columns x rows squares above the source.
+TriangleMesh wide_sheet(int columns, int rows)
+{
+    return shapes::mapped(shapes::grid(columns, rows, 1.8, 0.4),
+                          [](const Vector3& p) { return Vector3(p.x() - 0.9, p.y() - 0.2, 0.1); });
+}
+
+TriangleMesh fine_strip()
+{
+    return shapes::mapped(shapes::grid(40, 20, 2.0, 0.5),
+                          [](const Vector3& p) { return Vector3(p.x() - 1.0, p.y() - 0.25, 0.0); });
+}
+
+// Compare every hundredth target with a link to those targets alone.
+void expect_as_few(const TriangleMesh& source, const TriangleMesh& target)
+{
+    const LinkedSheets sheets = linked(source, target, with_offset(0.05));
+    VertexIds some;
+    for (int vertex = 0; vertex < target.vertex_count(); vertex += 100)
+        some.push_back(vertex);
+    const LinkSource of{source.points(), scene::vertex_normals(source), {}};
+    const Points few = target.points()(some, Eigen::indexing::all);
+    const VolumeLink link(sheets.control, of, few, with_offset(0.05));
+    const SourceState state = state_of(sheets, bent(source.points(), 0.8));
+    const LinkedTargets all = sheets.link.transfer(state), found = link.transfer(state);
+    EXPECT_GT(farthest(found.positions, few), 0.1);
+    EXPECT_LT(farthest(all.positions(some, Eigen::indexing::all), found.positions), 1e-11);
+    EXPECT_LT(farthest(all.logs(some, Eigen::indexing::all), found.logs), 1e-9);
+    const LinkedTargets live = sheets.link.transfer(state, Exactness::live);
+    EXPECT_LT(farthest(live.positions, all.positions), 2e-6);
+    // No link keeps its fit; each computes it once for the picture.
+    for (int time = 0; time < 2; ++time)
+        EXPECT_TRUE(link.control_vertices(state) == sheets.link.control_vertices(state));
+    EXPECT_GT(farthest(link.control_vertices(state), sheets.control.vertices), 0.1);
+}
+
 TEST(VolumeLinkTest, ManyTargetsAndFewOnesGiveTheSame)
 {
-    const TriangleMesh many = shapes::mapped(shapes::grid(40, 60, 1.8, 0.4), [](const Vector3& p)
-                                             { return Vector3(p.x() - 0.9, p.y() - 0.2, 0.1); });
-    const TriangleMesh dense = shapes::mapped(shapes::grid(40, 20, 2.0, 0.5), [](const Vector3& p)
-                                              { return Vector3(p.x() - 1.0, p.y() - 0.25, 0.0); });
-    const LinkedSheets sheets = linked(dense, many, with_offset(0.05));
-    const LinkSource source{dense.points(), scene::vertex_normals(dense), {}};
-    const VolumeLink few(sheets.control, source, many.points().topRows(3), with_offset(0.05));
-    const SourceState state = state_of(sheets, bent(dense.points(), 0.8));
-    const LinkedTargets all = sheets.link.transfer(state), some = few.transfer(state);
-    EXPECT_LT(farthest(all.positions.topRows(3), some.positions), 1e-10);
-    EXPECT_LT(farthest(all.logs.topRows(3), some.logs), 1e-8);
-    // Only the link to many targets keeps its fit; the other one makes it for the picture.
-    for (int time = 0; time < 2; ++time)
-        EXPECT_TRUE(few.control_vertices(state) == sheets.link.control_vertices(state));
-    EXPECT_GT(farthest(few.control_vertices(state), sheets.control.vertices), 0.1);
+    expect_as_few(fine_strip(), wide_sheet(40, 60));
+}
+
+TEST(VolumeLinkTest, ThousandsOfTargetsAndFewOnesGiveTheSame)
+{
+    expect_as_few(fine_strip(), wide_sheet(100, 60));  // on the control vertices
+    expect_as_few(strip(0.0), wide_sheet(100, 60));    // on the inputs
 }
 
 TEST(VolumeLinkTest, WeightsThatAreNotKeptMoveTheTargetsTheSameWay)

@@ -64,12 +64,6 @@ MUTATIONS = [
     ),
     # Sessions and the figures they report.
     Mutation(
-        "assembly/session/wave_rates.cpp",
-        "rate.rotation_logs.row(k) += row.weight",
-        "rate.rotation_logs.row(k) -= row.weight",
-        "WaveRates.*",
-    ),
-    Mutation(
         "assembly/session/reuse.cpp",
         "x.leader == y.leader && x.centre == y.centre && x.direction == y.direction",
         "x.leader == y.leader && x.centre == y.centre",
@@ -119,9 +113,6 @@ MUTATIONS = [
     Mutation(SOLVER, "shift + (mean * arm - arm)", "shift + mean * arm", SOLIDS),
     # Links.
     Mutation(TIED, "(rotation * arm - arm)", "(arm - rotation * arm)", "TiedLink.*"),
-    Mutation(
-        TIED, "(moved + spin.cross(rotation * arm))", "(moved + spin.cross(arm))", "WaveRates.*"
-    ),
     Mutation(
         "assembly/plan/link_blending.cpp",
         "1.0 - distance / reach",

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Mistakes in rotations, their logarithms, rigid motions and rates."""
+"""Mistakes in rotations, their logarithms and rigid motions."""
 from mutation import Mutation
 
 ROTATION = "base/rotation.cpp"
 MOTION = "base/rigid_motion.cpp"
-RATES = "base/rates.cpp"
 BATCH = "base/rotations/rotation_batch.cpp"
 POOL = "base/threads/thread_pool.cpp"
 BATCHES = "*RotationBatch.*"
@@ -34,7 +33,8 @@ MUTATIONS = [
         "base/log_near.cpp",
         "cosine = (1.0 - std::cos(angle)) / angle",
         "cosine = -(1.0 - std::cos(angle)) / angle",
-        "Rates.*",
+        "LogNear*",
+        "volume",
     ),
     Mutation(
         "base/log_near.cpp",
@@ -43,15 +43,6 @@ MUTATIONS = [
         "LogNear*",
         "volume",
     ),
-    Mutation(RATES, "return 2.0 * (left_jacobian", "return (left_jacobian", "Rates.*"),
-    Mutation(
-        RATES,
-        "symmetric.trace() * Matrix3::Identity() - symmetric",
-        "symmetric.trace() * Matrix3::Identity() + symmetric",
-        "Rates.*",
-    ),
-    Mutation(RATES, " + rest * known.spin;", " + known.spin;", "Rates.*"),
-    Mutation(RATES, " - rotation * pivot;", ";", "Rates.*"),
     # Many rotations at once.
     Mutation(BATCH, "yz = f * v.y * v.z;", "yz = f * v.y * v.y;", BATCHES),
     Mutation(BATCH, "hn::NegMulAdd(e, v.z, xy)", "hn::MulAdd(e, v.z, xy)", BATCHES),

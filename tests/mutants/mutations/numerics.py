@@ -120,6 +120,13 @@ MUTATIONS = [
         "CompactPanelRows*",
     ),
     Mutation(
+        "numerics/products/row_space.cpp",
+        "if (length <= least)",
+        "if (length <= 1e4 * least)",
+        "RowSpace*",
+    ),
+    Mutation("numerics/products/row_space.cpp", "before && !are_few", "before", "RowSpace*"),
+    Mutation(
         "numerics/products/panel_rows.cpp",
         "hn::And(bits, hn::Set(integers, exponent_bits))",
         "bits",

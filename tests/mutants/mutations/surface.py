@@ -7,11 +7,9 @@ OPERATORS = "surface/operators/surface_operators.cpp"
 FOLLOWERS = "surface/operators/followers.cpp"
 ALLOWED = "surface/bodies/allowed_motion.cpp"
 MOTIONS = "surface/bodies/body_motions.cpp"
-BODY_RATES = "surface/rates/body_rates.cpp"
 ELEMENT = "surface/steel/shell_element.cpp"
 INVARIANTS = "Invariants.*:SurfaceDeformer.*"
 RELATIONS = "AllowedMotion.*"
-RATES = "WaveRates.*"
 SHELLS = "ShellElement.*"
 CONSTRAINT_CHECKS = "surface/constraints/constraint_checks.cpp"
 REFUSALS = "ConstraintChecks.*"
@@ -46,13 +44,6 @@ MUTATIONS = [
         "Followers.*",
     ),
     Mutation(
-        FOLLOWERS,
-        "(place.on(velocities) + spin.cross(rotation_from_log(log) * arm))",
-        "(place.on(velocities) + spin.cross(arm))",
-        RATES,
-        "assembly",
-    ),
-    Mutation(
         "surface/bodies/clamping.cpp", "(shift + (rotation * arm - arm))", "shift", INVARIANTS
     ),
     Mutation(ALLOWED, "centre + shift - along.dot(shift) * along", "centre + shift", RELATIONS),
@@ -73,13 +64,6 @@ MUTATIONS = [
         "moved.translation = motion.apply(centre) - centre;",
         "moved.translation = motion.translation;",
         INVARIANTS,
-    ),
-    Mutation(
-        BODY_RATES,
-        "spin_of_polar(mean, sum, rate)",
-        "spin_of_polar(mean, rate, sum)",
-        RATES,
-        "assembly",
     ),
     Mutation(
         "surface/bodies/joints.cpp",

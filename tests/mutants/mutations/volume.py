@@ -8,7 +8,6 @@ ROTATIONS = "volume/local_rotations.cpp"
 LINK = "volume/volume_link.cpp"
 BOX = "volume/oriented_box.cpp"
 VALUES = "MeanValue*"
-RATES = "WaveRates.*"
 
 MUTATIONS = [
     # Mean value weights, equations (2.11) to (2.14).
@@ -67,20 +66,6 @@ MUTATIONS = [
     Mutation(ROTATIONS, "moments += spoke.triangles[lane] * edge", "moments += edge", "LocalRot*"),
     Mutation(
         ROTATIONS,
-        "(rate_before.cross(moved) + before.cross(rate))",
-        "before.cross(rate)",
-        RATES,
-        "assembly",
-    ),
-    Mutation(
-        ROTATIONS,
-        "tilting = (area_rate - normal",
-        "tilting = (area_rate + normal",
-        RATES,
-        "assembly",
-    ),
-    Mutation(
-        ROTATIONS,
         "motion.translation = (share.transpose() * (deformed - rest)).transpose()",
         "motion.translation = (deformed - rest).colwise().mean().transpose()",
         "MeanMotion*",
@@ -100,11 +85,11 @@ MUTATIONS = [
     # From sources over control meshes to targets.
     Mutation(LINK, "/ (2.0 * steps_.col(a).norm())", "/ steps_.col(a).norm()", "VolumeLink*"),
     Mutation(LINK, "above - below;", "above + below;", "VolumeLink*"),
+    Mutation(LINK, "negligible = 0x1p-43", "negligible = 0x1p-20", "VolumeLink*"),
     Mutation(
         LINK,
         "state.positions - state.mean.apply(source_)",
         "state.positions - source_",
         "VolumeLink*",
     ),
-    Mutation(LINK, "((own - turning) *", "(own *", RATES, "assembly"),
 ]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """SheetMorph, the FreeCAD workbench that deforms sheet metal while its holes stay round.
 
-`freecad.sheetmorph.api` is the public scripting interface; it needs no window. Here alone the
-document objects get to know, by way of `doors`, what solves and what shows them.
+`freecad.sheetmorph.api` is the public scripting interface, which needs no window. This module alone
+connects the document objects, by way of `doors`, with the solver and the views.
 """
 
 from freecad.sheetmorph import doors

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One user action = one transaction = one line in the recorded macro, a call of the public API."""
+"""User actions: each is one transaction and one macro line, a call of the public API."""
 
 import sys
 import traceback
@@ -25,32 +25,36 @@ FAULTS = (ValueError, RuntimeError, OSError, TypeError, KeyError)
 
 
 def name(obj) -> str:
-    """How a macro line addresses a document object: as an attribute of its document, unless that
-    has one of its own of this name."""
+    """Return the expression for a document object in a macro line.
+
+    It is an attribute of the document, unless the document has another attribute of this name.
+    """
     if getattr(obj.Document, obj.Name, None) == obj:
         return f"{DOCUMENT}.{obj.Name}"
     return f"{DOCUMENT}.getObject({obj.Name!r})"
 
 
 def call(function: str, *arguments: str, **keywords: str) -> str:
-    """The text of an API call; arguments are already source text."""
+    """Return the text of an API call; arguments are already source text."""
     texts = list(arguments) + [f"{key}={value}" for key, value in keywords.items()]
     return f"{API}.{function}({', '.join(texts)})"
 
 
 def new_document(label: str = "") -> App.Document:
-    """Makes a document, as lines that a macro runs anywhere. Whoever watches documents may have
-    made another one the active one since, or none."""
+    """Create a document by lines that a macro can run anywhere.
+
+    Observers of documents may have activated another document since, or none.
+    """
     before = App.listDocuments().keys()
     record("import FreeCAD as App", f"App.newDocument({label!r})" if label else "App.newDocument()")
     return next(made for name, made in App.listDocuments().items() if name not in before)
 
 
 def record(*lines: str, document=None) -> None:
-    """Runs lines and writes them to the macro being recorded, without a transaction.
+    """Run lines and write them to the recorded macro, without a transaction.
 
-    The document they mean is made the active one for each: what happens under progress may make
-    another one so. The imports are written every time: FreeCAD's addModule does so once a session,
+    Their document is activated for each line, because progress handles events that may activate
+    another. The imports are written every time. FreeCAD's addModule writes them once per session,
     too early for a macro whose recording starts later.
     """
     told, every = reporting.progress(), (*IMPORTS, *lines)
@@ -62,7 +66,7 @@ def record(*lines: str, document=None) -> None:
 
 
 def do(line: str, document=None) -> None:
-    """Runs a line and writes it to the macro being recorded."""
+    """Run a line and write it to the recorded macro."""
     if document is not None and App.ActiveDocument != document:
         App.setActiveDocument(document.Name)
     with unseen() if len(line) > LONGEST_SHOWN else nullcontext():
@@ -70,13 +74,13 @@ def do(line: str, document=None) -> None:
 
 
 def note(*lines: str) -> None:
-    """Writes lines to the macro being recorded whose work is done already, as it is shown.
+    """Write lines to the recorded macro whose effect is present already.
 
-    FreeCAD writes only what it runs: meanwhile the API's name stands for something that does
-    nothing, and what the lines call a result is forgotten.
+    FreeCAD writes only lines that it runs. So the name of the API stands for an object without
+    effect meanwhile, and variables that the lines assign are removed.
     """
     record()
-    names = vars(sys.modules["__main__"])  # where FreeCAD runs lines
+    names = vars(sys.modules["__main__"])  # the namespace in which FreeCAD runs lines
     before = dict(names)
     names[API] = Idle()
     try:
@@ -89,7 +93,7 @@ def note(*lines: str) -> None:
 
 
 class Idle:
-    """Has every attribute, takes every argument, and does nothing."""
+    """An object that has every attribute, accepts every argument and does nothing."""
 
     def __getattr__(self, _name: str) -> "Idle":
         return self
@@ -100,7 +104,7 @@ class Idle:
 
 @contextmanager
 def unseen():
-    """Lines in this context go into the macro and not into the Python console: a thousand ids."""
+    """Keep long lines of this context out of the Python console, but in the macro."""
     group, entry = App.ParamGet("User parameter:BaseApp/Preferences/Macro"), "ScriptToPyConsole"
     was_shown, is_default = group.GetBool(entry, True), entry not in group.GetBools()
     group.SetBool(entry, False)
@@ -113,9 +117,9 @@ def unseen():
 
 
 def run(title: str, *lines: str, document=None) -> None:
-    """Runs lines as one undo step called ``title``; on an error nothing has happened.
+    """Run lines as one undo step called `title`; an error undoes all of it.
 
-    A morph that was sound and is not afterwards, by what the step has made, is an error too.
+    A morph that was valid and is not after the step counts as an error too.
     """
     document = document or App.ActiveDocument
     before = faults.faults_in(document)
@@ -126,24 +130,27 @@ def run(title: str, *lines: str, document=None) -> None:
                 do(f"{DOCUMENT}.recompute()", document)
             refuse(faults.new_fault(document, before))
     except MorphError:
-        document.recompute()  # FreeCAD counts as due what was taken back
+        document.recompute()  # FreeCAD counts the undone changes as due
         raise
 
 
 def refuse(fault) -> None:
-    """Raises what a step has done wrong, None for nothing."""
+    """Raise the fault of a step, if any."""
     if fault is not None:
         raise MorphError(fault)
 
 
 def attempt(title: str, *lines: str, document=None) -> bool:
-    """As :func:`run`; reports an error, and returns False then."""
+    """Run lines as `run` does; report an error and return False."""
     return has_done(title, lambda: run(title, *lines, document=document))
 
 
 def has_done(title: str, act) -> bool:
-    """Whether ``act()`` came to its end. Else the user has cancelled it, or the error is
-    reported: an unforeseen one, too."""
+    """Return whether `act()` succeeded.
+
+    It returns False if the user has cancelled it, or after reporting any error, even an unexpected
+    one.
+    """
     try:
         act()
     except Cancelled:
@@ -155,7 +162,7 @@ def has_done(title: str, act) -> bool:
 
 
 def wait(title: str, *lines: str) -> bool:
-    """Runs lines that write files, with progress; False if the user has pressed Cancel."""
+    """Run lines that write files, with progress; return False if the user cancels."""
     try:
         with followed(title):
             record(*lines)
@@ -165,15 +172,17 @@ def wait(title: str, *lines: str) -> bool:
 
 
 def tell(title: str, error: Exception | str) -> None:
-    """Tells the user what went wrong: in the report view, and as FreeCAD tells its own errors."""
+    """Report an error in the report view and in FreeCAD's usual way."""
     sentence = reported(error)
     if not generations.shows_errors():
         QtWidgets.QMessageBox.warning(Gui.getMainWindow(), title, sentence)
 
 
 def reported(error: Exception | str) -> str:
-    """Writes an error to the report view and returns its sentence. An unforeseen one is a mistake
-    of the program: its traceback comes first."""
+    """Write an error to the report view and return its sentence.
+
+    An unexpected error is a bug: its traceback comes first.
+    """
     sentence = str(faults.fault_of(error))
     if not is_foreseen(error):
         text = translate(
@@ -186,20 +195,20 @@ def reported(error: Exception | str) -> str:
 
 
 def is_foreseen(error: Exception | str) -> bool:
-    """Whether the program raises such an error on purpose, with a sentence for the user."""
+    """Return whether the program raises such an error deliberately, with a sentence for users."""
     is_known = isinstance(error, (str, *FORESEEN)) and not isinstance(error, RecursionError)
     return is_known and bool(str(error).strip())
 
 
 class Cancelled(RuntimeError):
-    """The user did not want to wait any longer."""
+    """The error for a job that the user cancelled."""
 
 
 @contextmanager
 def followed(title: str):
-    """Context with the waiting cursor; what takes long shows how far it is, with Cancel.
+    """Show the wait cursor in this context, and progress with Cancel if it takes long.
 
-    Raises Cancelled if the user has pressed that.
+    Raises Cancelled if the user cancels.
     """
     progress = Progress(title)
     cancelled = Cancelled(translate("SheetMorph_actions", "Cancelled; nothing was changed."))
@@ -217,7 +226,7 @@ def followed(title: str):
 
 
 class waiting:
-    """Context with the waiting cursor."""
+    """A context with the wait cursor."""
 
     def __enter__(self):
         QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)

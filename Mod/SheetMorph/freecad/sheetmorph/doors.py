@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the document objects ask for without knowing who answers; `__init__` of the workbench says.
+"""Functions that document objects call without a dependency on solvers and views.
 
-So data knows nothing of solvers and views, and documents open without either.
+The workbench's `__init__` provides them. So documents open without a solver or a view.
 """
 
 from __future__ import annotations
@@ -11,26 +11,31 @@ from typing import Any
 
 
 class Door:
-    """A function that is put in place once, by those who know it."""
+    """A function that is provided once by another module."""
 
     def __init__(self) -> None:
         self._function: Callable | None = None
 
     def lead_to(self, function: Callable) -> None:
-        """Let `function` answer from now on."""
+        """Provide the function."""
         self._function = function
 
     def __call__(self, *arguments: Any) -> Any:
-        """Return what the function answers; raises RuntimeError while there is none."""
+        """Call the function.
+
+        Raises RuntimeError if none was provided.
+        """
         if self._function is None:
             raise RuntimeError("The package freecad.sheetmorph was not loaded as a whole.")
         return self._function(*arguments)
 
 
 give_looks = Door()
-"""Called with a new document object: its view provider, where there is a window."""
+"""Attaches a view provider to a new document object, where there is a window."""
 without_traceback = Door()
-"""Called with a method that returns an exception or None. Returns a function that raises the
-exception without a traceback: it holds a sentence for the user."""
+"""Turns a method that returns an exception or None into a function that raises it.
+
+The exception has a sentence for users, so it gets no traceback.
+"""
 new_solver = Door()
-"""Returns what solves one assembly and keeps its sessions."""
+"""Returns the solver of one assembly, which stores its sessions."""

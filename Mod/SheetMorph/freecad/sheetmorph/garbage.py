@@ -1,21 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""While a thread of ours runs Python, garbage is collected in the thread of the window alone.
+"""Garbage collection in the window thread only, while another thread runs Python.
 
-Python's collector runs in whatever thread happens to allocate. The widgets and scene nodes in the
-cycles that a closed panel leaves would be destroyed in a thread that they do not belong to, and
-FreeCAD would die of it some other time.
+Python's collector runs in whichever thread allocates. Widgets and scene nodes in the cycles of a
+closed panel would be destroyed in the wrong thread, and FreeCAD would crash later.
 """
 
 import gc
 
-from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.qt import QtCore, connect
 
-PERIOD = 500  # ms between two looks
-OLDEST = 1  # generation: all garbage is left to the automatic collector afterwards
+PERIOD = 500  # ms between two checks
+OLDEST = 1  # generation: older garbage is left to the automatic collector afterwards
 
 
 class Collecting(QtCore.QObject):
-    """Automatic outside of ``hold`` and ``release``, from the event loop in between."""
+    """The collector: automatic outside of `hold` and `release`, from the event loop in between."""
 
     def __init__(self):
         super().__init__()
@@ -23,10 +22,10 @@ class Collecting(QtCore.QObject):
         self._was_automatic = False
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(PERIOD)
-        self._timer.timeout.connect(self.collect)
+        connect(self._timer, "timeout()", self.collect)
 
     def hold(self) -> None:
-        """Before a thread begins; in the thread of the window."""
+        """Switch to the event loop before a thread begins; call it in the window thread."""
         self._holds += 1
         if self._holds == 1:
             self._was_automatic = gc.isenabled()
@@ -34,7 +33,7 @@ class Collecting(QtCore.QObject):
             self._timer.start()
 
     def release(self) -> None:
-        """After it has ended; in the thread of the window."""
+        """Return to automatic collection after the thread ends; call it in the window thread."""
         self._holds -= 1
         if self._holds == 0:
             self._timer.stop()
@@ -42,18 +41,18 @@ class Collecting(QtCore.QObject):
                 gc.enable()
 
     def collect(self) -> None:
-        """What the automatic collector would have done by now."""
+        """Collect the generations that the automatic collector would have collected by now."""
         counts, limits = gc.get_count(), gc.get_threshold()
         due = [k for k in range(OLDEST + 1) if 0 < limits[k] < counts[k]]
         if due:
             gc.collect(due[-1])
 
 
-_collecting: list = []  # one, made in the thread of the window when it is first needed
+_collecting: list = []  # one, created in the window thread on first use
 
 
 def collecting() -> Collecting:
-    """The one for this process."""
+    """Return the only instance of this process."""
     if not _collecting:
         _collecting.append(Collecting())
     return _collecting[0]

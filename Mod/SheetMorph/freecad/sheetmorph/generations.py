@@ -1,27 +1,26 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What differs between FreeCAD 0.20, 1.0 and 1.1, in one place; of Qt, `qt.py` knows it.
+"""The differences between FreeCAD 0.20, 1.0 and 1.1; those of Qt are in `qt.py`.
 
-Found by what is there, never by the number of a version: a FreeCAD that somebody built answers
-for itself.
+Features are detected, not derived from a version number, so that custom builds of FreeCAD work too.
 """
 
 import FreeCAD as App
 
 DRAGGERS = ("SoFCCSysDragger", "SoTransformDragger")
-"""FreeCAD's dragger of arrows and arcs in Coin, until 1.0 and since 1.1, of the same fields."""
+"""FreeCAD's dragger of arrows and arcs in Coin, until 1.0 and since 1.1, with equal fields."""
 
 SELECTION_SWITCHES = ("selectionRole", "selectionEnabled")
-"""The field of a 3D view's root that says whether clicks select, until 1.0 and since 1.1."""
+"""The field of a 3D view's root for selection by clicks, until 1.0 and since 1.1."""
 
 
 _viewers: dict = {}
 
 
 def viewer_of(view):
-    """The viewer of a 3D view, whose Python object outlives it from then on.
+    """Return the viewer of a 3D view, whose Python object outlives the view from then on.
 
-    FreeCAD drops its own reference when the view ends, without holding Python's lock: were it the
-    last, Python 3.14 would die of it, and FreeCAD 1.1 with it.
+    FreeCAD drops its own reference when the view ends, without Python's global lock. If that were
+    the last reference, Python 3.14 would crash, and FreeCAD 1.1 with it.
     """
     viewer = view.getViewer()
     _viewers[id(viewer)] = viewer
@@ -29,7 +28,7 @@ def viewer_of(view):
 
 
 def take_gloss(view_object) -> None:
-    """Leaves a sheet its colour where it faces the eye: since 1.0 it shines white there."""
+    """Remove the specular colour, with which a sheet looks white from the front since 1.0."""
     if "ShapeAppearance" in view_object.PropertiesList:
         material = view_object.ShapeAppearance[0]
         material.SpecularColor = (0.0, 0.0, 0.0)
@@ -37,8 +36,10 @@ def take_gloss(view_object) -> None:
 
 
 def shows_errors() -> bool:
-    """Whether FreeCAD itself shows an error that is printed, in its notification area: since 1.0,
-    unless the user wants boxes that wait."""
+    """Return whether FreeCAD shows printed errors in its notification area (since 1.0).
+
+    The user may prefer message boxes instead.
+    """
     wishes = App.ParamGet("User parameter:BaseApp/Preferences/NotificationArea")
     entries = ("NotificationAreaEnabled", "NonIntrusiveNotificationsEnabled")
     has_area = hasattr(App.Console, "PrintTranslatedUserError")

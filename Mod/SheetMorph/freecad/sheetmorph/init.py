@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What FreeCAD runs at its start, with and without a window: light, and without the kernel."""
+"""The start-up code of FreeCAD, with and without a window: fast, and without the kernel."""
 
 import FreeCAD
 

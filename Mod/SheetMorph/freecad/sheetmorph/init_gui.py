@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Registers the workbench; whatever is heavy is imported when it is first activated."""
+"""The registration of the workbench; slow imports wait for its first activation."""
 
 import FreeCADGui as Gui
 
@@ -7,14 +7,14 @@ from freecad.sheetmorph import paths
 
 
 class SheetMorphWorkbench(Gui.Workbench):
-    """Feature-preserving deformation of sheet-metal assemblies."""
+    """The workbench for feature-preserving deformation of sheet-metal assemblies."""
 
     MenuText = "SheetMorph"
     ToolTip = "Deforms sheet-metal assemblies by a handle; holes keep their shape"
     Icon = paths.icon("SheetMorph")
 
     def Initialize(self):
-        """Adds the commands to menu and toolbar; called once by FreeCAD."""
+        """Add the commands to menu and toolbars; FreeCAD calls this once."""
         from freecad.sheetmorph import commands
 
         Gui.addLanguagePath(paths.translations())
@@ -27,7 +27,7 @@ class SheetMorphWorkbench(Gui.Workbench):
         self.appendMenu("&SheetMorph", commands.menu())
 
     def Activated(self):
-        """Places the toolbars, and says in one sentence if the kernel cannot be used."""
+        """Place the toolbars, and warn if the kernel cannot be used."""
         from freecad.sheetmorph.commands import installation
         from freecad.sheetmorph.panels import toolbars
 
@@ -35,7 +35,7 @@ class SheetMorphWorkbench(Gui.Workbench):
         installation.warn_once(self)
 
     def GetClassName(self) -> str:
-        """The C++ class FreeCAD wraps around this workbench."""
+        """Return the C++ class that FreeCAD wraps around this workbench."""
         return "Gui::PythonWorkbench"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The kinds of our document objects; imports nothing, so that start-up may use it."""
+"""The types of document objects, without imports, so that start-up may use them."""
 
 ASSEMBLY = "SheetMorph::Assembly"
 CONTACT = "SheetMorph::Contact"
@@ -15,6 +15,6 @@ ALL = (ASSEMBLY, CONTACT, DECK, DEFORMATION, PART, POSE, REGION, RELATION, SHELL
 
 
 def kind(obj) -> str:
-    """Return the type of one of our objects, an empty string for any other."""
+    """Return the type of a SheetMorph object, an empty string for any other."""
     found = str(getattr(getattr(obj, "Proxy", None), "Type", ""))
     return found if found in ALL else ""

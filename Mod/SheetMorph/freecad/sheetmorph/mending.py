@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a fault is seen, and what a button may do about it."""
+"""The location of a fault, and the repair that a button offers."""
 
 import numpy as np
 
@@ -14,13 +14,13 @@ from freecad.sheetmorph.qt import translate
 
 
 def places(assembly, fault) -> list:
-    """The parts and vertices (k,) that a fault is about."""
+    """Return the parts and vertices (k,) of a fault."""
     found = [place for obj in at_fault(assembly, fault) for place in places_of(obj, fault)]
     return [(part, vertices) for part, vertices in found if len(vertices)]
 
 
 def places_of(obj, fault) -> list:
-    """The parts and vertices (k,) that a fault of one object is about."""
+    """Return the parts and vertices (k,) of a fault at one object."""
     if kind(obj) == RELATION:
         return [place for feature in obj.Features for place in seen.places_of(feature)]
     if kind(obj) != PART:
@@ -31,7 +31,7 @@ def places_of(obj, fault) -> list:
 
 
 def cure_of(assembly, fault):
-    """What a button may do about it: its title and the line of the API; None for nothing."""
+    """Return the title and API line of the repair for a fault, None without one."""
     found = at_fault(assembly, fault)
     regions = [obj for obj in found if kind(obj) == REGION]
     for other, region in pairs(regions) if fault.code in (OVERLAP, TORN) else ():
@@ -49,21 +49,21 @@ def cure_of(assembly, fault):
 
 
 def pairs(regions: list) -> list:
-    """Pairs of regions; the second of each gives way: a form feature, or the one named later."""
+    """Return pairs of regions, of which the second gives way: a form feature or the later."""
     found = [(a, b) for k, a in enumerate(regions) for b in regions[k + 1 :]]
     return [(b, a) if a.Role == "form feature" else (a, b) for a, b in found]
 
 
 def shares_some(region, other) -> bool:
-    """Whether a region has vertices of another one, and others besides."""
+    """Return whether a region shares some of its vertices with another one, but not all."""
     mine = model.vertices(region)
     common = np.intersect1d(mine, model.vertices(other))
     return region.Part == other.Part and 0 < len(common) < len(mine)
 
 
 def loose_on(part) -> np.ndarray:
-    """The vertices of the pieces of a part that nothing holds."""
+    """Return the vertices of the pieces of a part that no region or contact constrains."""
     try:
         return loose_vertices(part)
     except FAULTS:
-        return np.zeros(0, dtype=np.int64)  # it has no mesh: that is what is wrong
+        return np.zeros(0, dtype=np.int64)  # the part has no mesh, which is the fault to report

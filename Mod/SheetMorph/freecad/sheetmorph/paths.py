@@ -1,33 +1,33 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the add-on keeps its icons, panels and examples."""
+"""The paths of the add-on's icons, panels and examples."""
 
 import os
 
-# abspath, not realpath: a staged add-on may consist of links, and its resources lie beside them.
+# abspath, not realpath: a staged add-on may consist of links, next to its resources.
 _ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 _RESOURCES = os.path.join(_ROOT, "resources")
 
 
 def icon(name: str) -> str:
-    """Absolute path of an icon, without its suffix in ``name``."""
+    """Return the absolute path of an icon; `name` has no suffix."""
     return os.path.join(_RESOURCES, "icons", f"{name}.svg")
 
 
 def panel(name: str) -> str:
-    """Absolute path of a panel's widgets, without the suffix in ``name``."""
+    """Return the absolute path of a panel's widgets; `name` has no suffix."""
     return os.path.join(_RESOURCES, "panels", f"{name}.ui")
 
 
 def icons() -> str:
-    """Absolute path of the folder of the icons."""
+    """Return the absolute path of the folder of icons."""
     return os.path.join(_RESOURCES, "icons")
 
 
 def translations() -> str:
-    """Absolute path of the folder of the compiled translations."""
+    """Return the absolute path of the folder of compiled translations."""
     return os.path.join(_RESOURCES, "translations")
 
 
 def examples() -> str:
-    """Absolute path of the folder of the example assemblies."""
+    """Return the absolute path of the folder of examples."""
     return os.path.join(_RESOURCES, "examples")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the user prefers, kept by FreeCAD; the preferences page writes the same entries."""
+"""The user's preferences in FreeCAD, which the preferences page changes too."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ DEFAULTS: dict[str, bool | int | float] = {
     "OpenShow": False,
     "OpenTolerances": False,
 }
-"""Entries and what they are until the user says otherwise: mm, degrees."""
+"""Entries with their default values, in mm and degrees."""
 
 
 def get(entry: str):
@@ -37,7 +37,7 @@ def get(entry: str):
 
 
 def get_colour(entry: str, default: tuple[float, float, float]) -> tuple[float, float, float]:
-    """Return a colour with components 0..1; FreeCAD keeps it as 0xRRGGBBAA."""
+    """Return a colour with components 0 to 1, which FreeCAD stores as 0xRRGGBBAA."""
     packed = FreeCAD.ParamGet(PATH).GetUnsigned(entry, packed_colour(default))
     if packed == packed_colour(default):
         return default
@@ -45,13 +45,13 @@ def get_colour(entry: str, default: tuple[float, float, float]) -> tuple[float, 
 
 
 def packed_colour(colour: tuple[float, float, float]) -> int:
-    """Return a colour as FreeCAD keeps it, opaque."""
+    """Return an opaque colour in FreeCAD's storage format."""
     red, green, blue = (round(255 * c) for c in colour)
     return red << 24 | green << 16 | blue << 8 | 255
 
 
 def put(entry: str, value) -> None:
-    """Keep the value of an entry of DEFAULTS."""
+    """Store the value of an entry of DEFAULTS."""
     default, group = DEFAULTS[entry], FreeCAD.ParamGet(PATH)
     if isinstance(default, bool):
         group.SetBool(entry, bool(value))
@@ -66,6 +66,6 @@ def _number(group, entry: str) -> float:
 
 
 def reset() -> None:
-    """Forget what the user said."""
+    """Restore all default values."""
     for entry, default in DEFAULTS.items():
         put(entry, default)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shows how far long work is, and lets the user cancel it."""
+"""A progress dialog for long work, with Cancel."""
 
 import time
 from concurrent import futures
@@ -7,19 +7,19 @@ from concurrent import futures
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.garbage import collecting
-from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, translate
 
-PATIENCE = 0.4  # seconds until the dialog appears
-LOOK = 0.03  # seconds between two looks at what is done in a thread
-SHARE = 0.25  # of the time at most, to handle events
-LONGEST = 0.3  # seconds without a look
+PATIENCE = 0.4  # s until the dialog appears
+LOOK = 0.03  # s between two checks of a thread's progress
+SHARE = 0.25  # largest share of the time for handling events
+LONGEST = 0.3  # s without a check
 
 
 class Progress:
-    """Called with how far work is, until ``close``; the dialog appears only if it takes long.
+    """A callable that receives progress until `close`, with a dialog for long work.
 
-    Meanwhile the views keep their picture: FreeCAD would draw each of them, a million facets
-    perhaps, whenever events are handled.
+    The views are frozen meanwhile. FreeCAD would otherwise redraw each of them, possibly with a
+    million facets, whenever events are handled.
     """
 
     def __init__(self, title: str):
@@ -33,9 +33,9 @@ class Progress:
         self._views.setUpdatesEnabled(False)
 
     def __call__(self, fraction: float, task: str) -> bool:
-        """``fraction`` 0..1 is done, ``task`` is next; False if the user has cancelled.
+        """Set the done `fraction` (0 to 1) and the next `task`; return False after Cancel.
 
-        A thread may call it; widgets belong to FreeCAD's.
+        Any thread may call it; only the window thread uses widgets.
         """
         self._told = fraction, task
         if is_window_thread():
@@ -43,9 +43,9 @@ class Progress:
         return not self.is_cancelled
 
     def wait_for(self, work):
-        """Returns or raises what ``work(progress)`` does, in a thread, while events are handled.
+        """Return or raise the result of `work(progress)` in a thread, while handling events.
 
-        It must not touch what belongs to the thread of the window: documents, widgets, nodes.
+        The work must not use documents, widgets or nodes, which belong to the window thread.
         """
         if not is_window_thread():
             return work(self)
@@ -57,7 +57,7 @@ class Progress:
             collecting().release()
 
     def _result(self, found):
-        """What a future brings; whatever events do, the thread is not left alone."""
+        """Return the result of a future; after an exception the thread is cancelled."""
         try:
             while not found.done():
                 futures.wait([found], timeout=LOOK)
@@ -69,7 +69,7 @@ class Progress:
         return found.result()
 
     def _look(self, at_last: bool = False) -> None:
-        """Shows how far it is, if it takes long, and sees whether Cancel was pressed."""
+        """Show the progress if the work takes long, and check for Cancel."""
         begin = time.monotonic()
         if self._dialog is None and begin - self._begin > PATIENCE:
             self._open()
@@ -83,7 +83,7 @@ class Progress:
         self._next = now + min(LONGEST, (now - begin) / SHARE)
 
     def close(self) -> None:
-        """Takes the dialog away, and lets the views be drawn."""
+        """Remove the dialog and let the views be drawn."""
         self._views.setUpdatesEnabled(True)
         if self._dialog is not None:
             self._dialog.hide()
@@ -96,11 +96,10 @@ class Progress:
 
 
 class ProgressDialog(QtWidgets.QProgressDialog):
-    """Keeps the window shut until it is taken away, also after Cancel: what is under way ends when
-    it next looks, and until then nobody else may touch what it works on.
+    """A modal dialog that stays until it is removed, also after Cancel.
 
-    Only a click or Escape cancels: Return or a space typed before the dialog came is for the field
-    that had the keyboard then.
+    The work ends at its next check, and until then its data must not change. Only a click or Escape
+    cancels, because Return or a space may be meant for the field that had the keyboard before.
     """
 
     def __init__(self, title: str):
@@ -120,21 +119,21 @@ class ProgressDialog(QtWidgets.QProgressDialog):
         self._button.setFocusPolicy(QtCore.Qt.NoFocus)
         hides = QtCore.SIGNAL("canceled()"), self, QtCore.SLOT("cancel()")
         QtCore.QObject.disconnect(self, *hides)
-        self.canceled.connect(self._cancel)
+        connect(self, "canceled()", self._cancel)
 
     def tell(self, fraction: float, task: str) -> None:
-        """Shows how far it is, 0..1, and what is next."""
+        """Show the progress, 0 to 1, and the next task."""
         if not self.is_cancelled:
             self.setLabelText(task)
             self.setValue(round(100 * fraction))
 
     def closeEvent(self, event) -> None:
-        """The window's own button cancels, too."""
+        """Cancel when the window's close button is pressed."""
         event.ignore()
         self._cancel()
 
     def reject(self) -> None:
-        """Escape, where no shortcut takes it."""
+        """Cancel on Escape, if no shortcut consumes it."""
         self._cancel()
 
     def _cancel(self) -> None:
@@ -144,5 +143,5 @@ class ProgressDialog(QtWidgets.QProgressDialog):
 
 
 def is_window_thread() -> bool:
-    """Whether this is the thread of FreeCAD's window."""
+    """Return whether this is the thread of FreeCAD's window."""
     return QtCore.QThread.currentThread() == QtWidgets.QApplication.instance().thread()

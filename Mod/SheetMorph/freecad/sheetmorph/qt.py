@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The only place that imports Qt and knows what differs between PySide2 and PySide6.
+"""The only module that imports Qt and handles differences between PySide2 and PySide6.
 
-FreeCAD's `PySide` stands for the one it was built with; FreeCAD 0.20's lacks `QtWidgets`.
+FreeCAD's `PySide` stands for the version that it was built with; in FreeCAD 0.20 it lacks
+`QtWidgets`.
 """
 
 from functools import cache
@@ -18,43 +19,58 @@ try:
 except ImportError:
     import shiboken2 as shiboken
 
-__all__ = ["QtCore", "QtGui", "QtWidgets", "draw", "forget", "frame_of", "icon_of", "number"]
-__all__ += ["translate", "widen"]
+__all__ = ["QtCore", "QtGui", "QtWidgets", "connect", "draw", "forget", "frame_of", "icon_of"]
+__all__ += ["number", "translate", "widen"]
 
-OVERLAY, GRIP = "Gui::OverlayTabWidget", "Gui::OverlaySizeGrip"  # FreeCAD's, since 1.0
+OVERLAY, GRIP = "Gui::OverlayTabWidget", "Gui::OverlaySizeGrip"  # widgets of FreeCAD since 1.0
 
 
 def number(choice) -> int:
-    """The number of a Qt enumeration's value or flags, which PySide6 does not convert itself."""
+    """Return the integer of a Qt enumeration value or flags, which PySide6 does not convert."""
     return int(getattr(choice, "value", choice))
 
 
 def translate(context: str, text: str) -> str:
-    """A text in the user's language, else as it is."""
+    """Return a text in the user's language, else unchanged."""
     return QtCore.QCoreApplication.translate(context, text)
+
+
+def connect(sender, signal: str, action) -> None:
+    """Calls a function when an object of Qt sends a signal, given with its types: "clicked()".
+
+    PySide2 never frees the wrapper of an object of which a signal was read as an attribute.
+    Raises AttributeError for a signal that the sender does not have.
+    """
+    kind = type(sender)  # PySide2 would make up a signal that does not exist
+    if kind.staticMetaObject.indexOfSignal(signal) < 0:
+        raise AttributeError(f"{kind.__name__} has no signal {signal}.")
+    if QtCore.qVersion().startswith("6."):
+        getattr(sender, signal[: signal.index("(")]).connect(action)
+    else:
+        QtCore.QObject.connect(sender, QtCore.SIGNAL(signal), action)
 
 
 @cache
 def icon_of(path: str):
-    """The icon of a file, read once: Qt keeps what it has drawn of each icon that is made."""
+    """Return the icon of a file, read once, because Qt caches the drawings of every icon."""
     return QtGui.QIcon(path)
 
 
 def forget(form) -> None:
-    """Tells PySide that the widgets of a form, which somebody is about to delete, are gone.
+    """Invalidate PySide's wrappers of a form's widgets, which are about to be deleted.
 
-    It keeps the wrapper of a widget whose signal was connected or that has an event filter, knows
-    widgets by address, and would take the next widget at that address for the one deleted.
+    PySide keeps the wrapper of a widget with a connected signal or an event filter. It identifies
+    widgets by address, and would mistake the next widget at that address for the deleted one.
     """
     for widget in [form, *form.findChildren(QtWidgets.QWidget)]:
         shiboken.invalidate(widget)
 
 
 def frame_of(dock):
-    """What has the width that a dock of the main window is seen with: itself, or what holds it.
+    """Return the widget that has the visible width of a dock: the dock or its container.
 
-    Since FreeCAD 1.0 a dock may lie over the 3D view, in a widget at the window's edge of which the
-    window's layout knows nothing, and which cuts off what is wider.
+    Since FreeCAD 1.0 a dock may be in a widget on top of the 3D view, at the window's edge. The
+    layout of the window ignores this widget, which clips wider content.
     """
     over = dock.parentWidget()
     while over is not None and not over.inherits(OVERLAY):
@@ -63,11 +79,11 @@ def frame_of(dock):
 
 
 def widen(dock, width: int):
-    """Makes a dock of the main window at least so wide, px; returns a function that makes one that
-    lies over the 3D view as it was, unless the user has drawn it meanwhile.
+    """Widen a dock of the main window to at least `width`, px; return a function to undo it.
 
-    Its frame has a width of its own in mind, to which it returns whenever the mouse is pressed, and
-    what is pressed moves away under it: the frame learns another one by its grip alone.
+    The function restores a dock on top of the 3D view, unless the user has resized it meanwhile.
+    The frame of such a dock stores its own width and returns to it at every press of the mouse,
+    under which the widgets then move. Only its grip changes the stored width.
     """
     frame = frame_of(dock)
     if frame is dock:
@@ -88,7 +104,7 @@ def widen(dock, width: int):
 
 
 def draw(frame, width: int) -> None:
-    """Gives such a frame at a side of the window a width, px, as the mouse does that draws it."""
+    """Set the width (px) of such a frame at a side of the window, as the mouse does."""
     grip, room = _grip_of(frame), frame.parentWidget()
     edges = {"OverlayRight": room.width() - width, "OverlayLeft": width - 1}
     if grip is not None and frame.objectName() in edges:
@@ -100,10 +116,10 @@ def draw(frame, width: int) -> None:
 
 
 def _grip_of(frame):
-    """What the mouse draws such a frame wider and narrower with; None if there is none.
+    """Return the grip with which the mouse resizes such a frame, None without one.
 
-    Not by the children of the frame: PySide would take them, and with them the form of an open
-    panel, for deleted as soon as it forgets the frame.
+    The search does not use the children of the frame. Otherwise PySide would treat them, and the
+    form of an open panel among them, as deleted together with the frame's wrapper.
     """
     for title in frame.window().findChildren(QtWidgets.QWidget, "OverlayTitle"):
         if frame.isAncestorOf(title):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""To whom long work tells how far it is, and who may stop it: set by whoever waits for it.
+"""The receiver of progress reports from long work, which can also stop it.
 
-A macro line has no room for a function, so what it calls asks here. Without a window nobody waits.
+A macro line cannot pass a function, so the code that it calls finds the receiver here. Without a
+window there is none.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from contextvars import ContextVar
 from typing import TypeVar
 
 Progress = Callable[[float, str], bool]
-"""Called with the share that is done, 0..1, and what is next; returns whether to go on."""
+"""A function that gets the done share (0 to 1) and the next task, and returns whether to go on."""
 
 Found = TypeVar("Found")
 
@@ -20,14 +21,14 @@ _WAITING: ContextVar[Progress | None] = ContextVar("waiting", default=None)
 
 
 def progress() -> Progress | None:
-    """Return whom to tell, None for nobody."""
+    """Return the receiver, None without one."""
     return _WAITING.get()
 
 
 def waited_for(work: Callable[[Progress | None], Found]) -> Found:
-    """Return what `work(progress)` does, which touches no document and may take long.
+    """Return the result of `work(progress)`, which may take long and touches no document.
 
-    A listener with a window has it done in a thread, and its method `wait_for` handles events.
+    A receiver with a window runs it in a thread, and its method `wait_for` handles events.
     """
     listener = _WAITING.get()
     wait_for = getattr(listener, "wait_for", None)
@@ -35,12 +36,13 @@ def waited_for(work: Callable[[Progress | None], Found]) -> Found:
 
 
 class Stopped(RuntimeError):
-    """Nobody wants to wait for the rest."""
+    """The error for work that was stopped."""
 
 
 def one_by_one(things: Sequence[Found], task: str) -> Iterator[Found]:
-    """Yield things that are dealt with in the thread of the window; between two of them events
-    are handled. Raises Stopped.
+    """Yield things to process in the window thread, handling events in between.
+
+    Raises Stopped if the user cancels.
     """
     told = progress()
     for number, thing in enumerate(things):
@@ -51,7 +53,7 @@ def one_by_one(things: Sequence[Found], task: str) -> Iterator[Found]:
 
 @contextmanager
 def told_to(listener: Progress) -> Iterator[None]:
-    """Let long work in this context tell `listener`."""
+    """Send progress reports of this context to `listener`."""
     before = _WAITING.set(listener)
     try:
         yield

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Started by ``./sheetmorph run``: FreeCAD with the workbench active and an example ready to move.
+"""The script of `./sheetmorph run`: FreeCAD with the workbench and an example ready to move.
 
-With SHEETMORPH_SHOWCASE_OUT=<folder> nobody is at the screen: the handle is moved through the
-panel, before.png, after.png and the deformed meshes are written, and FreeCAD ends with status 0,
-or with 1 and the reason on stderr.
+With SHEETMORPH_SHOWCASE_OUT=<folder> it runs without a user. It moves the handle through the panel
+and writes before.png, after.png and the deformed meshes. FreeCAD then ends with status 0, or with 1
+and the reason on stderr.
 """
 
 import os
@@ -17,7 +17,8 @@ from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
 
 EXAMPLE = "door_mirror"
 FRAMES = 12
-LINE_OF_SIGHT = App.Vector(-0.35, -0.85, -0.3)  # into the open side: all parts are seen
+# into the open side, from where all parts are visible
+LINE_OF_SIGHT = App.Vector(-0.35, -0.85, -0.3)
 FAULTS = (
     ArithmeticError,
     AttributeError,
@@ -27,25 +28,25 @@ FAULTS = (
     TypeError,
     ValueError,
 )
-PATIENCE = 200_000  # ms until a run without a user is given up
+PATIENCE = 200_000  # ms until a run without a user is aborted
 
 
 class Showcase:
-    """Runs its steps from timers, so that FreeCAD's event loop is never blocked."""
+    """The steps of the showcase, run by timers so that FreeCAD's event loop is never blocked."""
 
     def __init__(self, folder: str):
-        """``folder``: where the pictures go; empty if a user is at the screen."""
+        """Prepare the steps; `folder` is for the pictures, empty with a user."""
         self._folder = folder
         self._steps = self._play() if folder else self._prepare()
 
     def start(self) -> None:
-        """Begins when FreeCAD is idle."""
+        """Start when FreeCAD is idle."""
         QtCore.QTimer.singleShot(300, self._next)
         if self._folder:
             QtCore.QTimer.singleShot(PATIENCE, lambda: leave("FreeCAD took too long."))
 
     def _next(self) -> None:
-        """One step; whatever goes wrong must end a run without a user."""
+        """Run one step; any error must end a run without a user."""
         try:
             pause = next(self._steps)
         except StopIteration:
@@ -63,7 +64,7 @@ class Showcase:
         App.Console.PrintError(reason)
 
     def _prepare(self):
-        """The example at rest, its handle selected, the Move Handle panel open."""
+        """Open the example at rest, with its handle selected and the Move Handle panel open."""
         window = Gui.getMainWindow()
         window.showMaximized()
         Gui.activateWorkbench("SheetMorphWorkbench")
@@ -91,7 +92,7 @@ class Showcase:
         yield 700
 
     def _play(self):
-        """Moves the handle to where the recipe wants it, by the fields of the panel."""
+        """Move the handle to the recipe's pose through the fields of the panel."""
         yield from self._prepare()
         self._picture("before")
         form = self.panel.form
@@ -109,7 +110,7 @@ class Showcase:
         api.write_parts(self.assembly, self._folder)
 
     def _picture(self, name: str) -> None:
-        """The whole screen as it is seen."""
+        """Save a picture of the whole screen."""
         screen = QtGui.QGuiApplication.primaryScreen().grabWindow(0)
         path = os.path.join(self._folder, f"{name}.png")
         if not screen.save(path):
@@ -117,26 +118,26 @@ class Showcase:
 
 
 def look_along(view, direction) -> None:
-    """Turns the camera so that it looks along a direction, z upwards on the screen."""
+    """Turn the camera to look along a direction, with z upwards on the screen."""
     right = direction.cross(App.Vector(0, 0, 1))
     up = right.cross(direction)
     view.setCameraOrientation(App.Rotation(right, up, -direction, "ZXY"))
 
 
 def wanted_motion(handle) -> dict[str, float]:
-    """Where the recipe wants the handle, by field of the panel: mm, degrees."""
+    """Return the handle's motion in the recipe by field of the panel, mm and degrees."""
     fields = {f"translation_{c.lower()}": getattr(handle, f"Translation{c}").Value for c in "XYZ"}
     fields |= {f"axis_{c}": getattr(handle.Axis, c) for c in "xyz"}
     return fields | {"angle": handle.Angle.Value}
 
 
 def leave(reason: str) -> None:
-    """Ends FreeCAD at once; a reason is a failure."""
+    """End FreeCAD immediately; a reason means failure."""
     print(reason, file=sys.stderr, flush=True)
     os._exit(1 if reason else 0)
 
 
-# FreeCAD imports the script; if that fails it runs it again as __main__, which must not go on.
+# If the import by FreeCAD fails, it runs the script again as __main__, which must not go on.
 if __name__ == "showcase_main":
     showcase = Showcase(os.environ.get("SHEETMORPH_SHOWCASE_OUT", ""))
     showcase.start()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a command acts on: the morph, part or region that is selected, or the only one there is."""
+"""The target of a command: the selected morph, part or region, or the only one."""
 
 from itertools import islice
 
@@ -9,13 +9,13 @@ import FreeCADGui as Gui
 from freecad.sheetmorph.kinds import ASSEMBLY, PART, POSE, REGION, STUDY, kind
 from freecad.sheetmorph.objects import model, watcher
 
-_listed: dict[str, list] = {"objects": [], "groups": []}  # of the document asked about last
+_listed: dict[str, list] = {"objects": [], "groups": []}  # of the last document
 
 __all__ = ["ASSEMBLY", "PART", "POSE", "REGION", "STUDY", "kind"]
 
 
 def selected(wanted: str = "") -> list:
-    """Selected objects of the active document, those of one type of ours if ``wanted``."""
+    """Return the selected objects of the active document, of one type if `wanted` is given."""
     if App.ActiveDocument is None or (wanted and not assemblies()):
         return []
     objects = Gui.Selection.getSelection(App.ActiveDocument.Name)
@@ -23,32 +23,34 @@ def selected(wanted: str = "") -> list:
 
 
 def meshes() -> list:
-    """Selected meshes that are no results of a morph."""
+    """Return the selected meshes that are not results of a morph."""
     return [o for o in selected() if o.isDerivedFrom("Mesh::Feature") and kind(o) != PART]
 
 
 def shapes() -> list:
-    """Selected objects with a shape that has faces."""
+    """Return the selected objects with a shape that has faces."""
     return [o for o in selected() if o.isDerivedFrom("Part::Feature") and o.Shape.Faces]
 
 
 def links() -> list:
-    """Selected links (App::Link), which are refused in words."""
+    """Return the selected links (App::Link), which are refused with an explanation."""
     return [o for o in selected() if o.TypeId.startswith("App::Link")]
 
 
 def may_become_parts() -> bool:
-    """Whether a mesh, a link or what may have a shape is selected. Shapes themselves are not looked
-    at: FreeCAD 1.0 takes half a second to hand out one of 12,000 faces."""
+    """Return whether a mesh, a link or an object that may have a shape is selected.
+
+    Shapes are not accessed, since FreeCAD 1.0 needs half a second to return one with 12,000 faces.
+    """
     shaped = (o for o in selected() if o.isDerivedFrom("Part::Feature"))
     return bool(meshes() or links() or next(shaped, None))
 
 
 def assemblies() -> list:
-    """The morphs of the active document; FreeCAD asks for them all the time.
+    """Return the morphs of the active document; FreeCAD calls this often.
 
-    Before there was a morph no document is looked at. Looking through one takes FreeCAD eight times
-    as long as listing it, so it is looked through again only when the list is another.
+    No document is searched before the first morph exists. A search takes eight times as long as
+    listing the objects, so it is repeated only when the list has changed.
     """
     if not watcher.is_watching() or App.ActiveDocument is None:
         return []
@@ -60,7 +62,7 @@ def assemblies() -> list:
 
 
 def assembly_of(obj):
-    """The morph an object of ours, or the mesh of one of its parts, belongs to, or None."""
+    """Return the morph of a SheetMorph object or of a part's mesh, or None."""
     if kind(obj):
         return model.assembly_of(obj)
     users = (user for user in obj.InList if kind(user) == PART)
@@ -68,7 +70,7 @@ def assembly_of(obj):
 
 
 def assembly():
-    """The morph of the selection, else the only one of the document, else None."""
+    """Return the morph of the selection, else the only one of the document, else None."""
     found = assemblies()
     if len(found) < 2:
         return found[0] if found else None
@@ -76,22 +78,22 @@ def assembly():
 
 
 def parts(owner) -> list:
-    """The parts of a morph."""
+    """Return the parts of a morph."""
     return model.parts(owner)
 
 
 def regions(owner, role: str = "") -> list:
-    """The regions of a morph, those of one role if given, in the order of its group."""
+    """Return the regions of a morph, of one role if given, in the order of its group."""
     return [region for region in model.regions(owner) if not role or region.Role == role]
 
 
 def poses(owner) -> list:
-    """The poses of a morph."""
+    """Return the poses of a morph."""
     return model.poses(owner)
 
 
 def part():
-    """The selected part, else the part of the selected region, else the primary of the morph."""
+    """Return the selected part, else that of the selected region, else the primary of the morph."""
     for obj in selected() if assemblies() else ():
         if kind(obj) == PART:
             return obj
@@ -104,13 +106,13 @@ def part():
 
 
 def chosen_parts() -> list | None:
-    """The selected parts of the morph, None for all if there is none."""
+    """Return the selected parts of the morph, None (for all) without any."""
     mine = [chosen for chosen in selected(PART) if model.assembly_of(chosen) == assembly()]
     return mine or None
 
 
 def handle():
-    """The selected handle, else the first handle of the morph, else None."""
+    """Return the selected handle, else the first handle of the morph, else None."""
     for obj in selected(REGION):
         if obj.Role == "handle":
             return obj
@@ -120,11 +122,11 @@ def handle():
 
 
 def has(wanted: str, least: int = 1) -> bool:
-    """Whether the morph that is meant has so many objects of one type."""
+    """Return whether the morph has at least `least` objects of one type."""
     owner = assembly()
     return owner is not None and len(list(islice(members(owner, wanted), least))) == least
 
 
 def members(owner, wanted: str):
-    """What a morph has of one type, one after the other: who needs the first asks for no more."""
+    """Yield the objects of one type in a morph, so that a caller can stop at the first."""
     return (obj for obj in owner.Group if kind(obj) == wanted)

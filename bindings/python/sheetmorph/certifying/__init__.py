@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Certificates: what a run wrote is read again, measured, judged by criteria, and told."""
+"""Certificates: read the files of a run again, measure them, judge them by criteria, report."""
 
 from .certifying import Certifier, Inputs, NotCertified, Targets, certify
 from .criteria import Criteria, read_criteria, shipped

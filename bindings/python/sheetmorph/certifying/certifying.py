@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The certificate: what a run wrote, read again, measured, and judged."""
+"""The certificate: the files of a run, read again, measured and judged."""
 
 from __future__ import annotations
 
@@ -38,12 +38,12 @@ from .measuring import (
 )
 from .page import page_of
 
-# What the last digit of a field of so many characters is worth, over the number.
+# Relative error of a coordinate in a format with binary numbers.
 _DIGITS = {"float32": 6e-8, "double": 2e-16}
 
 
 class NotCertified(RuntimeError):
-    """The files do not hold what is asked for; ``certificate`` tells."""
+    """The files miss the criteria; ``certificate`` has the details."""
 
     def __init__(self, certificate: dict[str, Any]):
         failures = certificate["failures"]
@@ -54,7 +54,7 @@ class NotCertified(RuntimeError):
 
 @dataclass(frozen=True)
 class Targets:
-    """Where a certificate goes, as JSON and as a page; None if it is not asked for."""
+    """Output files of a certificate, as JSON and as HTML page; None if not wanted."""
 
     json: Path | None = None
     page: Path | None = None
@@ -68,10 +68,10 @@ def certify(
     *,
     files: FileSet | None = None,
 ) -> dict[str, Any]:
-    """Certify what a run of a recipe wrote into a folder; returns the certificate.
+    """Certify the files of a run in a folder and return the certificate.
 
-    files: a new FileSet for the targets. Raises RecipeError, FileError, KernelError, OSError, and
-    NotCertified once the certificate is written.
+    files is a new FileSet for the targets. Raises RecipeError, FileError, KernelError, OSError, and
+    NotCertified after the certificate is written.
     """
     path, folder = Path(recipe_path), Path(out_dir)
     recipe = read_json(path)
@@ -100,16 +100,16 @@ def certify(
 
 @dataclass(frozen=True)
 class Inputs:
-    """What a run reads besides parts: its recipe, and files of welds and bolts."""
+    """Inputs of a run besides its parts: the recipe, and joint files with welds and bolts."""
 
     recipe: Path
     joint_files: Sequence[JointSource] = ()
 
 
 class Certifier:
-    """Certifies runs of one recipe: what they start from is measured once.
+    """The certification of runs of one recipe, whose rest state is measured once.
 
-    model: with a vertex list for every region.
+    Every region of the model has a vertex list.
     """
 
     def __init__(self, parts: Parts, model: Model, criteria: Criteria, inputs: Inputs):
@@ -129,13 +129,13 @@ class Certifier:
         self._inputs = _digests([inputs.recipe, *read, *beside])
 
     def written(self, places: Mapping[str, Floats]) -> dict[str, Written]:
-        """The parts beside their places (n, 3) as the files hold them, by name."""
+        """Return the parts by name with their positions (n, 3) as stored in the files."""
         return {name: Written(sheet, places[name]) for name, sheet in self._sheets.items()}
 
     def certificate(
         self, folder: Path, written: dict[str, Written], sizes: Mapping[str, float] = {}
     ) -> dict[str, Any]:
-        """The certificate of the files in a folder; sizes: mm, that a pose gives features."""
+        """Return the certificate of the files in a folder; sizes, mm, are those of the pose."""
         core, criteria = self._core, self._criteria
         files: list[PartFile | JointSource] = [source.file for source in self._sources]
         files += self._joint_files
@@ -196,7 +196,7 @@ def _write(
 
 
 def _sheets(parts: Parts) -> dict[str, Sheet]:
-    """The parts at rest, by name."""
+    """Return the parts at rest, by name."""
     materials = part_material(parts.sources)
     entries = {entry.name: entry for entry in parts.entries}
     found: dict[str, Sheet] = {}
@@ -212,7 +212,7 @@ def _sheets(parts: Parts) -> dict[str, Sheet]:
 
 
 def _places_in(source: Source, folder: Path) -> dict[str, Floats]:
-    """Places (n, 3) of the parts of a file that was written into a folder, by name."""
+    """Return the positions (n, 3) of the parts in a written file, by part name."""
     place = folder / source.file.output_name
     if not place.is_file():
         todo = "name the folder that a run of this recipe wrote"
@@ -226,7 +226,7 @@ def _places_in(source: Source, folder: Path) -> dict[str, Floats]:
 
 
 def _told_again(source: Source, folder: Path) -> list[dict[str, Any]]:
-    """What a deck that was written tells of what hangs on its parts; nothing of other files."""
+    """Return the report entry of a written deck, or nothing for other files."""
     if not isinstance(source.file, DeckFile):
         return []
     told = source.file.told_of(source.file.stored_nodes(folder / source.file.output_name))
@@ -234,7 +234,7 @@ def _told_again(source: Source, folder: Path) -> list[dict[str, Any]]:
 
 
 def _faces(source: Source) -> Ints:
-    """(m, 4) corners of the elements of a file, -1 in the last one of triangles."""
+    """Return the element corners (m, 4) of a file; the last one is -1 for triangles."""
     if isinstance(source.file, DeckFile):
         return source.file.corner_faces
     triangles = source.file.mesh.triangles
@@ -249,13 +249,13 @@ def _own_faces(faces: Ints, vertices: Ints) -> Ints:
 
 
 def _width_error(source: Source, points: Floats) -> float:
-    """What a coordinate in the file is good for, mm: half its last digit."""
+    """Return the rounding error of a coordinate in the file, mm: half its last digit."""
     size = float(np.abs(points).max(initial=1.0))
     precision = source.file.precision
     if precision in _DIGITS:
         return _DIGITS[precision] * size
     width = int(precision.split()[0])
-    # A sign, a point, and what stands before it.
+    # The field also has a sign, a decimal point and the integer digits.
     decimals = width - 2 - len(str(int(size)))
     return 0.5 * 10.0 ** -min(decimals, 15)
 
@@ -272,7 +272,7 @@ def _penetrations(written: dict[str, Written]) -> list[dict[str, Any]]:
 
 
 def _failures(entry: dict[str, Any], criteria: Criteria) -> list[str]:
-    """A sentence for everything that does not hold."""
+    """Return a sentence for every criterion that the run misses."""
     found = [
         f"{one['name']} on {one['part']} lost its form by {one['edge_error']:.3g} mm, "
         f"{one['allowed']:.3g} mm is what its file may cost"

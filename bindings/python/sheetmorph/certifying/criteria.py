@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a certificate asks for: sets that come along under their names, or a file of one's own."""
+"""Criteria of a certificate: supplied sets with names, or a file of the user."""
 
 from __future__ import annotations
 
@@ -19,9 +19,12 @@ _OTHERS = ("set", "comment", "elements", "time_step", "features", "contacts")
 
 @dataclass(frozen=True)
 class Criteria:
-    """name; elements: limits ("min", "max") by measure; target: time step in ms for which mass is
-    scaled, None for none; allowed: how many elements may newly fail; gap_change: mm, of a contact,
-    None if it is not judged; flipped: whether triangles that fold over are."""
+    """The criteria of a certificate.
+
+    elements maps a measure to its limits "min" and "max". target is the time step for mass scaling,
+    ms, or None. allowed is the number of elements that may newly fail. gap_change is the limit for
+    contacts, mm, or None. flipped states whether flipped triangles fail.
+    """
 
     name: str
     elements: dict[str, dict[str, float]] = field(default_factory=dict)
@@ -32,14 +35,14 @@ class Criteria:
 
 
 def shipped() -> dict[str, Any]:
-    """The sets that come along, by name."""
+    """Return the supplied sets by name."""
     text = resources.files("sheetmorph").joinpath("certifying/criteria.json").read_text("utf-8")
     found: dict[str, Any] = json.loads(text)
     return found
 
 
 def read_criteria(name: str | Path | None) -> Criteria:
-    """A set by its name, or the criteria in a JSON file. Raises FileError."""
+    """Return a set by its name, or the criteria of a JSON file. Raises FileError."""
     sets = shipped()
     if name is None or str(name) in sets:
         key = "standard" if name is None else str(name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a run wrote, read again beside what it was made from, and measured."""
+"""Measures of the files of a run, compared with the rest state."""
 
 from __future__ import annotations
 
@@ -29,8 +29,7 @@ _BINS = 20
 
 
 class Shape(Surface):
-    """A part in one state with its faces (m, 4), -1 in the last corner of triangles; what is
-    measured of it is measured once."""
+    """A part in one state with faces (m, 4), -1 last for triangles; it caches its measures."""
 
     def __init__(self, places: Floats, faces: Ints, triangles: Ints):
         super().__init__(places, triangles)
@@ -38,7 +37,7 @@ class Shape(Surface):
         self._known: dict[Any, Floats] = {}
 
     def measured(self, measure: Callable[[Floats], Floats]) -> Floats:
-        """(m,) a measure of its elements."""
+        """Return a measure of the elements (m,)."""
         if measure not in self._known:
             self._known[measure] = measured(measure, self.places, self.faces)
         return self._known[measure]
@@ -46,9 +45,12 @@ class Shape(Surface):
 
 @dataclass(frozen=True, eq=False)
 class Sheet:
-    """A part as it was: its name in the recipe, its mesh at rest, faces (m, 4) of its elements,
-    thickness mm (0 if it is not known), and what a coordinate in its file is good for, mm;
-    material: of its sheet."""
+    """A part at rest, with the data of its elements and its file.
+
+    name is that in the recipe, faces (m, 4) are the element corners, thickness is in mm and 0 if
+    not given. width_error is the rounding error of a coordinate in the file, mm. material is that
+    of the sheet.
+    """
 
     name: str
     mesh: PartMesh
@@ -64,7 +66,7 @@ class Sheet:
 
 
 class Written:
-    """A part beside what was written of it: (n, 3) places read from the file."""
+    """A part at rest and with the positions (n, 3) read from its file."""
 
     def __init__(self, sheet: Sheet, places: Floats):
         self.sheet, self.mesh, self.faces = sheet, sheet.mesh, sheet.faces
@@ -73,7 +75,7 @@ class Written:
 
 
 class RestFeature:
-    """What a form feature was: its vertices, its edges (e, 2), and its round rims."""
+    """A form feature at rest: its vertices, edges (e, 2) and round rims."""
 
     def __init__(self, core: ModuleType, sheet: Sheet, name: str, vertices: Ints):
         self._core, self._mesh = core, sheet.mesh
@@ -89,7 +91,7 @@ class RestFeature:
         return found
 
     def rest(self, size: float | None) -> Floats:
-        """(n, 3) its part at rest with the size that a pose gives it."""
+        """Return the rest positions (n, 3) of the part with the given feature size."""
         points = self._mesh.points
         if size is None or self._form is None:
             return points
@@ -99,7 +101,7 @@ class RestFeature:
 
 
 class RestContact:
-    """A contact at rest: names of its parts, and its gap."""
+    """A contact at rest: the names of its parts, and its gap."""
 
     def __init__(self, name: str, sheets: tuple[Sheet, Sheet], rows: tuple[Ints, Ints]):
         self.name = name
@@ -110,8 +112,10 @@ class RestContact:
 def feature_entry(
     core: ModuleType, part: Written, feature: RestFeature, size: float | None
 ) -> dict[str, Any]:
-    """How a form feature came out: worst edge error against the best rigid motion, and round rims
-    before and after; size: mm, None as at rest."""
+    """Return the worst edge error of a form feature, and its round rims before and after.
+
+    The error is relative to the best rigid motion. size is in mm, None for the size at rest.
+    """
     rest, moved, vertices = feature.rest(size), part.places, feature.vertices
     turn = best_turn(rest, moved, vertices)
     return {
@@ -127,7 +131,7 @@ def feature_entry(
 def _round_rims(
     core: ModuleType, mesh: PartMesh, vertices: Ints
 ) -> list[tuple[Ints, _core.CircleFit]]:
-    """Round rims among the vertices, with the circles they lie on."""
+    """Return the round rims among the vertices, with their fitted circles."""
     inside = np.zeros(len(mesh.points), dtype=bool)
     inside[vertices] = True
     near = inside[mesh.triangles].any(axis=1)
@@ -145,7 +149,7 @@ def _round_rims(
 
 
 def _rim_entry(core: ModuleType, one: _core.CircleFit, places: Floats) -> dict[str, float]:
-    """Diameter and roundness (the worst distance from the fitted circle) of a rim."""
+    """Return diameter and roundness of a rim: the largest distance from the fitted circle."""
     two = core.fit_circle(places)
     return {
         "diameter_before": 2.0 * float(one.radius),
@@ -156,7 +160,7 @@ def _rim_entry(core: ModuleType, one: _core.CircleFit, places: Floats) -> dict[s
 
 
 def contact_entry(contact: RestContact, parts: tuple[Written, Written]) -> dict[str, Any]:
-    """The gap of a contact before and after, and its worst change."""
+    """Return the gap of a contact before and after, and its worst change."""
     change = contact.gap.change((parts[0].now, parts[1].now))
     return {
         "name": contact.name,
@@ -167,7 +171,7 @@ def contact_entry(contact: RestContact, parts: tuple[Written, Written]) -> dict[
 
 
 def part_entry(core: ModuleType, part: Written, criteria: Criteria) -> dict[str, Any]:
-    """Quality before and after, flipped triangles, mass, time step."""
+    """Return quality before and after, flipped triangles, mass and time step."""
     sheet, rest, moved = part.sheet, part.mesh.points, part.places
     flipped = core.compare_quality(rest, moved, part.mesh.triangles).flipped
     weight = (sheet.thickness or 1.0) * sheet.material.density
@@ -226,7 +230,7 @@ def _histogram(before: Floats, after: Floats) -> dict[str, Sequence[float]]:
 
 
 def _counts(values: Floats, edges: Floats) -> list[int]:
-    """How many values lie between each two edges, on the last one too."""
+    """Count the values in each interval; the last one includes its upper edge."""
     before = np.searchsorted(np.sort(values), edges)
     before[-1] = len(values)
     found: list[int] = np.diff(before).tolist()
@@ -240,7 +244,7 @@ def _fails(values: Floats, limits: dict[str, float]) -> Bools:
 
 
 def _newly_failing(part: Written, criteria: Criteria) -> Bools:
-    """(m,) whether an element that met the criteria does so no more."""
+    """Return which elements (m,) met the criteria before and fail them now."""
     found = np.zeros(len(part.faces), dtype=bool)
     for name, limits in criteria.elements.items():
         before, after = (shape.measured(MEASURES[name]) for shape in (part.rest, part.now))
@@ -249,7 +253,7 @@ def _newly_failing(part: Written, criteria: Criteria) -> Bools:
 
 
 def _steps(part: Written, masses: list[Floats], target: float | None) -> dict[str, Any]:
-    """The explicit time step in ms, and the share of mass that scaling to a target adds."""
+    """Return the explicit time step, ms, and the share of mass that scaling to the target adds."""
     sound = part.sheet.material.sound
     entry: dict[str, Any] = {"sound_m_s": sound, "target_ms": target}
     for word, shape, mass in zip(("before", "after"), (part.rest, part.now), masses):
@@ -265,7 +269,10 @@ def _steps(part: Written, masses: list[Floats], target: float | None) -> dict[st
 
 
 def penetrations(one: Written, other: Written) -> dict[str, Any] | None:
-    """Vertices of a part that newly come nearer to another than half of both thicknesses."""
+    """Return the number of new penetrating vertices and the largest depth, or None.
+
+    Such a vertex newly comes closer to the other part than half of both thicknesses.
+    """
     room = 0.5 * (one.sheet.thickness + other.sheet.thickness)
     if room <= 0.0:
         return None
@@ -285,7 +292,7 @@ def penetrations(one: Written, other: Written) -> dict[str, Any] | None:
 
 
 def digest(path: Path) -> str:
-    """The SHA-256 of a file."""
+    """Return the SHA-256 of a file."""
     found = hashlib.sha256()
     with path.open("rb") as file:
         for block in iter(lambda: file.read(1 << 20), b""):

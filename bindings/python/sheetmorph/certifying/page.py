@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A certificate as one page that needs nothing else: pictures, tables, histograms."""
+"""A certificate as one self-contained HTML page with pictures, tables and histograms."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .measuring import Written
 from .quality import areas, aspect, measured
 
 _WIDE, _HIGH = 420, 300
-# More faces than that are drawn coarser: every k-th of them.
+# Parts with more faces are drawn coarser, with every k-th face.
 _MOST_FACES = 9000
 _BLUE_TO_RED = np.array(
     [[49, 84, 163], [120, 190, 220], [250, 240, 190], [240, 140, 70], [165, 15, 40]]
@@ -50,7 +50,7 @@ svg { background: #fafafa; border: 1px solid #ddd; } code { font-size: 11px; }
 
 
 def page_of(certificate: dict[str, Any], written: dict[str, Written]) -> str:
-    """The page, HTML."""
+    """Return the page as HTML."""
     word = "passed" if certificate["passed"] else "failed"
     parts = [
         f"<h1>Certificate: <span class='{word}'>{word}</span></h1>",
@@ -148,7 +148,7 @@ def _deck(deck: dict[str, Any]) -> str:
 
 
 def _welds(deck: dict[str, Any]) -> str:
-    """The welds of a deck, those whose gaps changed most first."""
+    """Return the table of a deck's welds, the largest gap changes first."""
     welds = deck["joints"]["welds"]
 
     def change(weld: dict[str, Any]) -> float:
@@ -169,7 +169,7 @@ def _two(gaps: list[float]) -> list[object]:
 
 
 def _joints(file: dict[str, Any]) -> str:
-    """The joints of a file of welds and bolts, the worst ones first."""
+    """Return the table of a joint file, the worst joints first."""
     worst = sorted(file["joints"], key=lambda j: -float(j["change"] / max(j["limit"], 1e-30)))
     rows = [[j["joint"], j["kind"], ", ".join(j["parts"]), j["line"], j["gap_before"],
              j["gap_after"], j["change"], j["limit"]] for j in worst[:_MOST_JOINTS]]  # fmt: skip
@@ -231,7 +231,7 @@ def _pictures(written: dict[str, Written]) -> str:
 
 
 class _View:
-    """Everything from one side, the one that shows most."""
+    """An axonometric view of all parts, along the direction that shows the largest area."""
 
     def __init__(self, points: Floats):
         self._middle = points.mean(axis=0)
@@ -252,7 +252,7 @@ class _View:
         )
 
     def figure(self, title: str, points: Floats, faces: Ints, values: Floats | None) -> str:
-        """A picture of faces, coloured by (m,) values."""
+        """Return a picture of the faces, coloured by values (m,)."""
         step = -(-len(faces) // _MOST_FACES)
         chosen = faces[::step]
         flat = (self._flat(points) - self._low) * self._scale + 10.0

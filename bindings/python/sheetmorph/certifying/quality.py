@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measures of shell elements, each by the definition that stands beside it."""
+"""Quality measures of shell elements; each docstring gives the definition."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def _lengths(corners: Floats) -> Floats:
 
 
 def _angles(corners: Floats) -> Floats:
-    """(m, k) degrees, at every corner."""
+    """Return the corner angles (m, k) in degrees."""
     ahead = _edges(corners)
     behind = -np.roll(ahead, 1, axis=1)
     cosine = _ratio((ahead * behind).sum(axis=2), _norm(ahead) * _norm(behind), 1.0)
@@ -42,7 +42,10 @@ def _ratio(above: Floats, below: Floats, otherwise: float) -> Floats:
 
 
 def areas(corners: Floats) -> Floats:
-    """(m,) areas of (m, 3, 3) triangles or (m, 4, 3) quads: half the cross product of diagonals."""
+    """Return the areas (m,) of triangles (m, 3, 3) or quads (m, 4, 3).
+
+    The area of a quad is half the cross product of its diagonals.
+    """
     if corners.shape[1] == 3:
         one, two = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     else:
@@ -51,13 +54,16 @@ def areas(corners: Floats) -> Floats:
 
 
 def aspect(corners: Floats) -> Floats:
-    """Longest edge over shortest."""
+    """Return the longest edge over the shortest."""
     length = _lengths(corners)
     return _ratio(length.max(axis=1), length.min(axis=1), 1e9)
 
 
 def warpage(corners: Floats) -> Floats:
-    """Degrees between the two triangles of a quad, of the worse diagonal; 0 for triangles."""
+    """Return the angle between the two triangles of a quad, for the worse diagonal, degrees.
+
+    It is 0 for triangles.
+    """
     if corners.shape[1] == 3:
         return np.zeros(len(corners))
     worst = np.zeros(len(corners))
@@ -70,8 +76,12 @@ def warpage(corners: Floats) -> Floats:
 
 
 def skew(corners: Floats) -> Floats:
-    """90 degrees less the smallest angle between lines through the middles of sides (quads), or
-    between a median and the line through the middles of the other sides (triangles)."""
+    """Return the skew in degrees.
+
+    For a quad it is 90 degrees minus the angle between the lines through opposite edge midpoints.
+    For a triangle it is 90 degrees minus the smallest angle between a median and the line through
+    the midpoints of the other two edges.
+    """
     middle = 0.5 * (corners + np.roll(corners, -1, axis=1))
     if corners.shape[1] == 4:
         pairs = [(middle[:, 2] - middle[:, 0], middle[:, 3] - middle[:, 1])]
@@ -89,7 +99,10 @@ def skew(corners: Floats) -> Floats:
 
 
 def taper(corners: Floats) -> Floats:
-    """1 less the smallest of the four corner triangles over half the quad; 0 for triangles."""
+    """Return 1 minus the smallest of the four corner triangles over half the quad.
+
+    It is 0 for triangles.
+    """
     if corners.shape[1] == 3:
         return np.zeros(len(corners))
     parts = np.stack([areas(corners[:, [(k - 1) % 4, k, (k + 1) % 4]]) for k in range(4)], axis=1)
@@ -97,7 +110,10 @@ def taper(corners: Floats) -> Floats:
 
 
 def jacobian(corners: Floats) -> Floats:
-    """Smallest over largest determinant at the 2 x 2 Gauss points of a quad; 1 for triangles."""
+    """Return the smallest over the largest determinant at the 2 x 2 Gauss points.
+
+    It is 1 for triangles.
+    """
     if corners.shape[1] == 3:
         return np.ones(len(corners))
     normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
@@ -114,26 +130,28 @@ def jacobian(corners: Floats) -> Floats:
 
 
 def min_angle(corners: Floats) -> Floats:
-    """Degrees, the smallest at a corner."""
+    """Return the smallest corner angle, degrees."""
     found: Floats = _angles(corners).min(axis=1)
     return found
 
 
 def max_angle(corners: Floats) -> Floats:
-    """Degrees, the largest at a corner."""
+    """Return the largest corner angle, degrees."""
     found: Floats = _angles(corners).max(axis=1)
     return found
 
 
 def min_length(corners: Floats) -> Floats:
-    """The shortest edge, mm."""
+    """Return the shortest edge, mm."""
     found: Floats = _lengths(corners).min(axis=1)
     return found
 
 
 def step_length(corners: Floats) -> Floats:
-    """mm, what the time step of a shell goes by: its area (twice that of a triangle) over its
-    longest edge (LS-DYNA's default)."""
+    """Return the characteristic length of a shell for its time step, mm (LS-DYNA's default).
+
+    It is the area, doubled for a triangle, over the longest edge.
+    """
     factor = 2.0 if corners.shape[1] == 3 else 1.0
     return _ratio(factor * areas(corners), _lengths(corners).max(axis=1), 0.0)
 
@@ -151,7 +169,7 @@ MEASURES: dict[str, Callable[[Floats], Floats]] = {
 
 
 def measured(measure: Callable[[Floats], Floats], points: Floats, faces: Ints) -> Floats:
-    """(m,) a measure of faces (m, 4), whose last corner is -1 in triangles, at points (n, 3)."""
+    """Return a measure (m,) of faces (m, 4), -1 last for triangles, at points (n, 3)."""
     found = np.empty(len(faces))
     is_quad = faces[:, 3] >= 0
     for rows, count in ((np.flatnonzero(is_quad), 4), (np.flatnonzero(~is_quad), 3)):

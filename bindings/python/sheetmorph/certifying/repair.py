@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Repair of the elements of decks after a morph: what may slide, and what came of it."""
+"""Repair of deck elements after a morph: which nodes may slide, and the result."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from ..session import Result
 from .criteria import read_criteria
 from .sliding import Sliding, Slid, borders_and_creases
 
-# Nodes on edges that are sharper than this, degrees, are features that nobody marked.
+# Degrees. Nodes on sharper edges stay, because they belong to unmarked features.
 _CREASE = 30.0
 
 
 def criteria_of(asked: Any, base: Path) -> str | Path | None:
-    """What a recipe or a command line says under repair: a set, or a file relative to a folder."""
+    """Return the set or the file that the option `repair` names, relative to the folder base."""
     if asked in (None, False):
         return None
     if asked is True:
@@ -34,8 +34,11 @@ def criteria_of(asked: Any, base: Path) -> str | Path | None:
 
 
 def repaired(result: Result, sources: list[Source], criteria: str | Path) -> Result:
-    """The result with nodes of its decks slid in the sheet until criteria hold; its `repairs` tell
-    of every part. Raises FileError, and RecipeError if there is no deck."""
+    """Slide nodes of the decks in their sheets until the criteria are met; return the new result.
+
+    Its `repairs` describe every part. Raises FileError, and RecipeError if none of the parts is a
+    deck.
+    """
     wanted = read_criteria(criteria)
     decks = [(s, s.file) for s in sources if isinstance(s.file, DeckFile)]
     if not decks:
@@ -69,8 +72,11 @@ def _entry(name: str, criteria: str, slid: Slid, before: Floats) -> dict[str, An
 
 
 def _stays(result: Result, name: str, faces: Ints) -> Bools:
-    """(n,) the vertices of a part that are not to slide: of regions and contacts, on
-    borders and creases, and around mid-side nodes. Thin solids stay as they are."""
+    """Return which vertices (n,) of a part must not slide.
+
+    These belong to regions, features and contacts, lie on borders and creases, or surround mid-side
+    nodes. Vertices of thin solids never slide.
+    """
     session = result.session
     mesh = session.meshes[name]
     stays = borders_and_creases(mesh.points, faces, _CREASE)
@@ -82,7 +88,8 @@ def _stays(result: Result, name: str, faces: Ints) -> Bools:
     of_feature = (one.name for one in result.features if one.part == name)
     for feature in of_feature:
         stays[session.feature_vertices(feature)] = True
-    is_corner = np.zeros(len(mesh.points) + 1, dtype=bool)  # the last one for what is no corner
+    # The last entry absorbs the corner -1 of triangles.
+    is_corner = np.zeros(len(mesh.points) + 1, dtype=bool)
     is_corner[faces] = True
     odd = mesh.triangles[~is_corner[:-1][mesh.triangles].all(axis=1)]
     stays[odd] = True
@@ -90,8 +97,10 @@ def _stays(result: Result, name: str, faces: Ints) -> Bools:
 
 
 def _near_joints(file: DeckFile) -> Bools:
-    """(n,) the vertices of a deck that joints have, by which passengers go, and those around them,
-    by which passengers turn."""
+    """Return the vertices (n,) of a deck at its joints, and their neighbours.
+
+    Passengers follow the former, and their rotation follows from the latter.
+    """
     deck, sheet = file.deck, file.sheet
     used = [block.nodes.ravel() for block in deck.elements if block.kind != "shell"]
     used.append(np.array([node for frame in deck.frames.values() for node in frame.nodes or ()]))

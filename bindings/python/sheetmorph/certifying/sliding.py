@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Nodes slide in their sheet until its elements meet limits; which nodes are joined never changes.
+"""Sliding of nodes in their sheet until its elements meet limits; the connectivity stays.
 
-Every node that may slide tries a few places around it in its tangent plane, and goes to the one
-where the elements around it miss the limits least, laid back onto the sheet. Nodes of no common
-element go at once.
+Every free node tries a few positions around it in its tangent plane. It moves to the one where the
+adjacent elements exceed the limits least, projected to the sheet. Nodes without a common element
+move at the same time.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from ..arrays import Bools, Floats, Ints
 from ..kernel import load_kernel
 from .quality import MEASURES, areas
 
-# What is nearer to a limit than this share of it counts already, so that no element is left at
-# the edge by its neighbours; a node's first and least steps, in its shortest edge.
+# Elements must clear a limit by this share of it, so that a move of a neighbour does not break it
+# again. The first and the smallest step of a node are shares of its shortest edge.
 _ROOM, _FIRST, _LEAST = 0.1, 0.25, 1e-3
 _ROUNDS, _AROUND, _TURNED = 60, 2, 1e6
 _DIRECTIONS = np.array([[np.cos(a), np.sin(a)] for a in np.arange(8) * np.pi / 4])
@@ -26,8 +26,12 @@ _DIRECTIONS = np.array([[np.cos(a), np.sin(a)] for a in np.arange(8) * np.pi / 4
 
 @dataclass(frozen=True)
 class Slid:
-    """places: (n, 3); failing: of elements, before and after; rounds: how many there were;
-    off_sheet: mm, how far middles of elements that changed are from the sheet as it was at most."""
+    """The slid sheet.
+
+    places is (n, 3). failing counts the elements before and after. rounds is the number of
+    iterations. off_sheet is the largest distance of the centre of a changed element from the
+    original sheet, mm.
+    """
 
     places: Floats
     failing: tuple[int, int]
@@ -36,10 +40,10 @@ class Slid:
 
 
 class Sliding:
-    """A sheet at (n, 3) places, with faces (m, 4) whose last corner is -1 in triangles.
+    """A sheet with positions (n, 3) and faces (m, 4), the last corner -1 for triangles.
 
-    triangles: (t, 3) the surface in which nodes slide; stays: (n,) which nodes do not; limits:
-    "min" or "max" by measure.
+    surface holds the positions and the triangles (t, 3) in which nodes slide. stays (n,) marks the
+    nodes that do not slide. limits maps a measure to "min" or "max".
     """
 
     def __init__(
@@ -59,7 +63,7 @@ class Sliding:
         self._least = _LEAST / _FIRST * self._step
 
     def slid(self) -> Slid:
-        """Slide until no element fails, or nothing gets better any more."""
+        """Slide the nodes until no element fails or no node improves."""
         before = int(self._fails(np.arange(len(self._faces))).sum())
         rounds = 0
         while rounds < _ROUNDS:
@@ -78,8 +82,9 @@ class Sliding:
         return _missed(corners, self._faces[elements, 3] >= 0, self._limits, 0.0) > 0.0
 
     def _nodes_near(self, elements: Ints) -> Ints:
-        """The nodes that may slide of some elements and of those around them."""
-        is_near = np.zeros(len(self._rest) + 1, dtype=bool)  # the last one for what is no corner
+        """Return the free nodes of some elements and of the elements around them."""
+        # The last entry absorbs the corner -1 of triangles.
+        is_near = np.zeros(len(self._rest) + 1, dtype=bool)
         is_near[self._faces[elements]] = True
         for _ in range(_AROUND):
             is_near[-1] = False
@@ -87,7 +92,7 @@ class Sliding:
         return np.flatnonzero(is_near[:-1] & ~self._stays)
 
     def _apart(self, nodes: Ints) -> list[Ints]:
-        """The nodes in groups none of which has two nodes of one element."""
+        """Split the nodes into groups without two nodes of one element."""
         groups, left = [], nodes
         order = np.random.default_rng(1).permutation(len(self._rest) + 1)
         while len(left):
@@ -102,7 +107,7 @@ class Sliding:
         return groups
 
     def _rows(self, nodes: Ints) -> tuple[Ints, Bools]:
-        """(k, d) the elements of nodes, and which of them there are."""
+        """Return the elements (k, d) of nodes, and which entries are valid."""
         counts = self._starts[nodes + 1] - self._starts[nodes]
         columns = np.arange(max(1, int(counts.max(initial=1))))
         valid = columns < counts[:, None]
@@ -110,7 +115,7 @@ class Sliding:
         return rows, valid
 
     def _go(self, nodes: Ints) -> None:
-        """Every node to the best of some places, if one is better than where it is."""
+        """Move every node to the best of its trial positions if that improves its elements."""
         rows, valid = self._rows(nodes)
         here = self._places[nodes][:, None]
         now = self._missed_around(nodes, rows, valid, here)[:, 0]
@@ -127,7 +132,7 @@ class Sliding:
         self._step[nodes[~is_better]] *= 0.5
 
     def _trials(self, nodes: Ints, rows: Ints, valid: Bools) -> Floats:
-        """(k, 9, 3) a step in eight directions, and towards the middle of the elements around."""
+        """Return trial positions (k, 9, 3): eight directions and the centre of the elements."""
         normal = (self._normals[rows] * valid[:, :, None]).sum(axis=1)
         one = np.cross(normal, np.eye(3)[np.abs(normal).argmin(axis=1)])
         one /= np.maximum(np.linalg.norm(one, axis=1, keepdims=True), 1e-300)
@@ -145,7 +150,7 @@ class Sliding:
         return found
 
     def _missed_around(self, nodes: Ints, rows: Ints, valid: Bools, trials: Floats) -> Floats:
-        """(k, t) by how much the elements around nodes miss the limits with it at (k, t, 3)."""
+        """Return how far the elements around nodes exceed the limits (k, t) at trials (k, t, 3)."""
         faces = self._faces[rows]
         corners = self._places[np.maximum(faces, 0)]
         own = (faces == nodes[:, None, None])[:, None, ..., None]
@@ -160,7 +165,7 @@ class Sliding:
         return result
 
     def _laid_back(self, places: Floats, reach: Floats) -> Floats:
-        """(k, 3) the nearest places of the sheet; those that are farther than a step are left."""
+        """Return the nearest points (k, 3) of the sheet; more distant points stay unchanged."""
         found = places.copy()
         for k, hit in enumerate(map(self._tree.nearest_point, places)):
             if hit is not None and hit.distance <= reach[k]:
@@ -183,7 +188,7 @@ def _missed(
     limits: Mapping[str, Mapping[str, float]],
     room: float,
 ) -> Floats:
-    """(m,) the sum of squares by which elements (m, 4, 3) miss limits moved in by a share."""
+    """Return the squared excess (m,) of elements (m, 4, 3) over limits tightened by a share."""
     found = np.zeros(len(corners))
     for rows, count in ((is_quad, 4), (~is_quad, 3)):
         some = corners[rows, :count]
@@ -214,7 +219,7 @@ def _face_normals(places: Floats, faces: Ints) -> Floats:
 
 
 def _elements_of(faces: Ints, count: int) -> tuple[Ints, Ints]:
-    """The elements of every node one after the other, and where those of each begin."""
+    """Return the elements of all nodes in one array, and the start index of each node."""
     rows, columns = np.nonzero(faces >= 0)
     nodes = faces[rows, columns]
     order = np.argsort(nodes, kind="stable")
@@ -223,7 +228,7 @@ def _elements_of(faces: Ints, count: int) -> tuple[Ints, Ints]:
 
 
 def _shortest_edges(places: Floats, faces: Ints) -> Floats:
-    """(n,) the shortest edge at every node, mm; 0 at nodes of no element."""
+    """Return the shortest edge (n,) at every node, mm; 0 at nodes without an element."""
     last = np.where(faces[:, 3] >= 0, faces[:, 3], faces[:, 0])
     ring = np.concatenate([faces[:, :3], last[:, None]], axis=1)
     found = np.full(len(places), np.inf)
@@ -237,8 +242,11 @@ def _shortest_edges(places: Floats, faces: Ints) -> Floats:
 
 
 def borders_and_creases(places: Floats, faces: Ints, angle: float) -> Bools:
-    """(n,) the nodes on edges of one element or of three, and where two meet at more than an
-    angle, degrees; those of degenerate elements too."""
+    """Return the nodes (n,) on border edges, on non-manifold edges and on creases.
+
+    A crease is an edge where two elements meet at more than the angle, degrees. Nodes of degenerate
+    elements are included.
+    """
     corners = faces.astype(np.int64)
     is_quad = corners[:, 3] >= 0
     last = np.where(is_quad, corners[:, 3], corners[:, 0])

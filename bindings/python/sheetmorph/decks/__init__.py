@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Finite element decks: read as they stand, written byte for byte but for nodes that moved."""
+"""Finite element decks: read as written, and copied byte for byte except for moved nodes."""
 
 from __future__ import annotations
 
@@ -39,19 +39,19 @@ _FORMATS: dict[str, tuple[str, Callable[[Path, Opener], Deck]]] = {
 
 
 def suffixes() -> list[str]:
-    """The file name endings that read_deck() takes."""
+    """Return the file name suffixes that read_deck() supports."""
     return sorted(_FORMATS)
 
 
 def is_deck(path: Path) -> bool:
-    """Whether a file's name is that of a deck."""
+    """Return whether a file name is that of a deck."""
     return path.suffix.lower() in _FORMATS
 
 
 def read_deck(path: Path, opener: Opener | None = None) -> Deck:
-    """A deck with all that it includes. opener: the bytes of a file, another way than from disk.
+    """Read a deck with all its includes. Raises FileError, also for a wrong suffix.
 
-    Raises FileError, also where it is in another format than its name says.
+    opener returns the bytes of a file; by default they come from disk.
     """
     give_back_large_arrays()
     form, reader = _FORMATS[path.suffix.lower()]
@@ -72,7 +72,7 @@ def read_deck(path: Path, opener: Opener | None = None) -> Deck:
 
 
 def read_bytes(path: Path) -> bytes:
-    """The file's bytes. Raises FileError if it cannot be read."""
+    """Return the bytes of a file. Raises FileError if it cannot be read."""
     try:
         return path.read_bytes()
     except OSError as error:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Input files of Abaqus and CalculiX: *NODE between commas, in parts and instances or without."""
+"""Input files of Abaqus and CalculiX: *NODE with commas, with or without parts and instances."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from .model import Elements, Opener, Place, Raw
 from .placing import note_placing
 
 SUFFIXES = (".inp",)
-# CalculiX reads no more characters of a number.
+# CalculiX reads at most this number of characters.
 _ROOM = 20
 _BLOCKS = ("PART", "ASSEMBLY", "INSTANCE", "STEP")
 _FILLED = frozenset(
@@ -47,13 +47,13 @@ _STALE = {
 
 
 def read_abaqus(path: Path, opener: Opener) -> Deck:
-    """An input file with its includes. Raises FileError."""
+    """Read an input file with its includes. Raises FileError."""
     return _Reader(Raw("Abaqus", wins="last"), path, opener).read()
 
 
 @dataclass(frozen=True)
 class _Section:
-    """A shell section: the number of its part, the name of its set as it stands, what it says."""
+    """A shell section: the number of its part, the name of its set, and its values."""
 
     part: int
     name: str
@@ -64,7 +64,7 @@ class _Section:
 
 @dataclass
 class _Part:
-    """A part: its name, how often it is placed, where its numbers begin in the deck."""
+    """A part: its name, how often it is placed, and its node blocks and elements in the deck."""
 
     name: str
     number: int
@@ -75,7 +75,7 @@ class _Part:
 
 
 class _Reader:
-    """The state while a deck is read."""
+    """The state of the reader."""
 
     def __init__(self, raw: Raw, path: Path, opener: Opener):
         self.raw = raw
@@ -172,10 +172,10 @@ class _Reader:
         self._sections.append(_Section(self._owner().number, name, thickness, material, place))
 
     def _give_sections(self) -> dict[int, tuple[list[int], Ints]]:
-        """Give the elements of every section its number.
+        """Assign the number of its section to every element.
 
-        Returns by the number that *ELEMENT gave some of them, where a section took some away, the
-        blocks and the ids of all of its elements.
+        Sections can take elements from numbers that *ELEMENT assigned. For each such number the
+        result has the blocks and ids of all its original elements.
         """
         before: dict[int, tuple[list[int], Ints]] = {}
         blocks_of = {part.number: part.elements for part in [self._model, *self._parts]}
@@ -243,7 +243,7 @@ class _Reader:
         self._system = 0
 
     def _placed(self, lines: AbaqusLines, keyword: Keyword) -> Frame:
-        """Where an instance stands: shifted first, then turned about an axis through two points."""
+        """Return the placement of an instance: a shift, then a rotation about an axis."""
         rows = [lines.reals(int(line)) for line in keyword.rows[:2]]
         for line, values in zip(keyword.rows.tolist(), rows):
             if None in values:
@@ -262,7 +262,7 @@ class _Reader:
         return _frame(turn, start + turn @ (shift - start), 0)
 
     def _define(self, lines: AbaqusLines, keyword: Keyword) -> int:
-        """The number of a *SYSTEM."""
+        """Return the number of a new *SYSTEM."""
         rows = [lines.reals(int(line)) for line in keyword.rows[:2]]
         values = [value for row in rows for value in row]
         if not values:
@@ -340,7 +340,7 @@ class _Reader:
             )  # fmt: skip
 
     def _tables(self, lines: AbaqusLines, rows: Ints, count: int) -> list[tuple[Ints, Ints]]:
-        """Lines and whole numbers (id, nodes) of elements."""
+        """Return the lines and integers (id, nodes) of elements."""
         text = lines.text
         if 0 < count <= 15:
             found: Ints = np.empty((len(rows), count + 1), dtype=np.int32)
@@ -365,7 +365,7 @@ class _Reader:
         return self.raw.error((lines.file, line), "*ELEMENT: what is here is no whole number")
 
     def _loose(self, lines: AbaqusLines, rows: Ints, count: int) -> list[tuple[Ints, Ints]]:
-        """Elements over several lines: one goes on until it has its nodes."""
+        """Return elements that span several lines; one continues until it has all nodes."""
         heads: list[int] = []
         found: list[list[int]] = []
         is_open = False
@@ -395,9 +395,10 @@ class _Reader:
         return [(np.array(heads), table[:, : count + 1] if count else table)]
 
     def _number_parts(self) -> dict[int, tuple[list[int], int]]:
-        """Nodes of several parts get numbers of their own; those of a part placed twice stay.
+        """Renumber the nodes of several parts so that they are unique; a part placed twice cannot
+        move.
 
-        Returns by the number of a part the blocks of its elements, and the shift.
+        The result maps the number of a part to the blocks of its elements and the shift of its ids.
         """
         owners: dict[int, tuple[list[int], int]] = {}
         filled = [part for part in [self._model, *self._parts] if part.blocks]
@@ -428,7 +429,7 @@ def _frame(turn: Floats, origin: Floats, outer: int) -> Frame:
 
 
 def _turn(axis: Floats, angle: float) -> Floats:
-    """The rotation (3, 3) about a unit axis."""
+    """Return the rotation (3, 3) about a unit axis."""
     x, y, z = axis
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
     found: Floats = np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * cross @ cross

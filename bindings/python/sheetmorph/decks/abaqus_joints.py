@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What joins nodes in an input file without being an element."""
+"""Connections between nodes of an input file that are not elements."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _RIGID = ("BEAM", "LINK")
 
 
 class Sets:
-    """Sets of nodes by name, and the joints that name them."""
+    """Node sets by name, and the joints that refer to them."""
 
     def __init__(self, raw: Raw):
         self._raw = raw
@@ -26,19 +26,19 @@ class Sets:
         self._joints: list[tuple[str, str, list[str], int, int]] = []
 
     def add_nodes(self, name: str, ids: Ints) -> None:
-        """Put nodes into a set, if it has a name."""
+        """Add nodes to a set if it has a name."""
         if name:
             self._sets.setdefault(name.upper(), []).append(ids)
 
     def add_joint(
         self, name: str, members: list[str], file: int, line: int, *, is_rigid: bool = True
     ) -> None:
-        """A joint of nodes and sets of nodes, by number and name."""
+        """Add a joint of nodes and node sets, by number and name."""
         kind = "rigid" if is_rigid else "constraint"
         self._joints.append((name, kind, members, file, line))
 
     def finish(self) -> None:
-        """Add the joints to what was read."""
+        """Add the joints to the elements of the deck."""
         for name, kind, members, file, line in self._joints:
             nodes = list(dict.fromkeys(self._resolved(members)))
             if len(nodes) > 1:
@@ -62,7 +62,7 @@ class Sets:
 
 
 def add_joint(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:
-    """Take a set of nodes, or what joins some."""
+    """Add a node set, or the joint of a keyword."""
     name, options = keyword.name, keyword.options
     if name == "NSET":
         ids, _ = members_of(lines, keyword)
@@ -87,7 +87,7 @@ def add_joint(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:
 
 
 def _equations(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:
-    """Equations: their number of terms, then node, direction, factor for each."""
+    """Add equations: the number of terms, then node, direction and factor of each."""
     members: list[str] = []
     missing, start = 0, 0
     for line in keyword.rows.tolist():

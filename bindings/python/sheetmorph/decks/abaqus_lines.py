@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The lines of an input file: keywords with their options, and data."""
+"""The lines of an input file: keywords with options, and data."""
 
 from __future__ import annotations
 
@@ -17,8 +17,11 @@ from .numbers import parse_integer, parse_real
 
 @dataclass(frozen=True)
 class Keyword:
-    """name: in capitals, single blanks; options: their values by name in capitals, as they stand;
-    line: from 0; rows: its data lines, without comments and blank ones."""
+    """A keyword.
+
+    name is in capitals with single blanks. options maps names in capitals to values. line counts
+    from 0. rows are its data lines without comments and blank lines.
+    """
 
     name: str
     options: dict[str, str]
@@ -38,7 +41,7 @@ class AbaqusLines:
         for part in chunks(len(text)):
             codes[:, part] = text.columns(text.begins[part], text.ends[part], 2).T
         first, second = codes
-        # Blanks may stand before anything.
+        # Blanks may precede any text.
         loose = np.flatnonzero((first == 32) & (text.ends > text.begins) | (first == 9))
         for line in loose.tolist():
             shown = text.line(line).lstrip()
@@ -50,15 +53,15 @@ class AbaqusLines:
 
     @property
     def has_keywords(self) -> bool:
-        """Whether there is any."""
+        """Whether the file has keywords."""
         return len(self._heads) > 0
 
     def data_rows(self) -> Ints:
-        """All data lines."""
+        """Return all data lines."""
         return np.flatnonzero(self._is_data).astype(np.int32)
 
     def keywords(self) -> Iterator[Keyword]:
-        """The keywords of the file, in order."""
+        """Yield the keywords of the file in order."""
         ends = np.append(self._heads[1:], len(self.text))
         for line, end in zip(self._heads.tolist(), ends.tolist()):
             shown, begin = self.text.line(line).strip(), line + 1
@@ -71,19 +74,19 @@ class AbaqusLines:
             yield Keyword(name, options, line, rows)
 
     def reals(self, line: int) -> list[float | None]:
-        """The numbers of a data line; None for what is none."""
+        """Return the numbers of a data line, None for any other field."""
         words = self.text.line(line).strip().rstrip(",").split(",")
         return [parse_real(word) for word in words]
 
     def numbers(self, line: int) -> list[int] | None:
-        """The whole numbers of a data line; None if something else is there."""
+        """Return the integers of a data line, or None if it has other fields."""
         words = [word.strip() for word in self.text.line(line).split(",")]
         found = [parse_integer(word) for word in words if word]
         sound = [number for number in found if number is not None]
         return sound if len(sound) == len(found) else None
 
     def words(self, line: int) -> list[str]:
-        """What stands between the commas of a data line, in capitals."""
+        """Return the fields of a data line in capitals."""
         return [word.strip().upper() for word in self.text.line(line).split(",")]
 
 

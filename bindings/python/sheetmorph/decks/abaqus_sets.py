@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Names of an input file: sets of nodes and elements, also those that a part has for itself."""
+"""Names in an input file: sets of nodes and elements, including those of parts."""
 
 from __future__ import annotations
 
@@ -13,30 +13,30 @@ from .model import NamedSet, Raw
 from .numbers import parse_integer
 
 _MOST = 10**7
-# Of a part by its number: the blocks of its elements, and how far its numbers are shifted.
+# By part number: the blocks of its elements, and the shift of its ids.
 Before = Mapping[int, tuple[Sequence[int], Ints]]
 Owners = Mapping[int, tuple[Sequence[int], int]]
 
 
 class NamedSets:
-    """Gathers them; what names of parts stand for is known at the end only."""
+    """Collector of sets; the names of parts are resolved at the end."""
 
     def __init__(self) -> None:
         self._found: dict[tuple[str, str], list[tuple[int, Ints]]] = {}
         self._sections: dict[str, list[int]] = {}
 
     def add(self, kind: str, name: str, owner: int, ids: Ints) -> None:
-        """Put nodes ("NSET") or elements ("ELSET") of a part, by its number, into a set."""
+        """Add nodes ("NSET") or elements ("ELSET") of a part, by its number, to a set."""
         if name and len(ids):
             self._found.setdefault((kind, name.upper()), []).append((owner, ids))
 
     def add_section(self, name: str, number: int) -> None:
-        """A name that *ELEMENT gives all its elements, which have this property."""
+        """Register the set name that *ELEMENT gives its elements, with their property number."""
         if name:
             self._sections.setdefault(name.upper(), []).append(number)
 
     def read(self, lines: AbaqusLines, keyword: Keyword, owner: int) -> None:
-        """Take *NSET or *ELSET with what its lines list: numbers, ranges, names of other sets."""
+        """Read *NSET or *ELSET with its numbers, ranges and names of other sets."""
         kind = keyword.name
         name = keyword.options.get(kind, "").upper()
         numbers, names = members_of(lines, keyword)
@@ -48,15 +48,18 @@ class NamedSets:
             self._found.setdefault((kind, name), []).extend(found)
 
     def elements_of(self, owner: int, name: str) -> tuple[Ints, list[int]]:
-        """The ids of the elements of a part in a set, and the numbers that *ELEMENT gave others."""
+        """Return the element ids of a part in a set, and the property numbers in it."""
         pieces = self._found.get(("ELSET", name), [])
         ids = [ids for of, ids in pieces if of == owner]
         numbers = [number for of, some in pieces if of == _OF_PROPERTY for number in some.tolist()]
         return np.concatenate([np.empty(0, dtype=np.int64), *ids]), numbers
 
     def finish(self, raw: Raw, owners: Owners, before: Before) -> None:
-        """Add them to what was read; before: of numbers of *ELEMENT that sections took elements
-        away from, the blocks and ids of all that had them."""
+        """Add the sets to the deck.
+
+        before has the original elements of property numbers from which sections took some, as
+        blocks and ids.
+        """
 
         def add_numbers(name: str, numbers: Sequence[int]) -> None:
             raw.sets.append(NamedSet(f"ELSET {name}", "properties", list(numbers)))
@@ -80,11 +83,11 @@ class NamedSets:
                     raw.sets.append(NamedSet(f"ELSET {name}", "elements", ids, tuple(blocks)))
 
 
-_OF_PROPERTY = 1  # in place of a part's number, which is 0 or less
+_OF_PROPERTY = 1  # in place of a part number, which is at most 0
 
 
 def members_of(lines: AbaqusLines, keyword: Keyword) -> tuple[list[int], list[str]]:
-    """The numbers and the names that the lines of a set list."""
+    """Return the numbers and the names in the lines of a set."""
     numbers: list[int] = []
     names: list[str] = []
     for line in keyword.rows.tolist():

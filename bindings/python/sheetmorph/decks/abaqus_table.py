@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What SheetMorph reads of Abaqus and CalculiX: element types, and the fields of data lines."""
+"""Element types and data fields of Abaqus and CalculiX that SheetMorph reads."""
 
 from __future__ import annotations
 
 import re
 
-# Sections of shells; all have the thickness in the same place.
+# Shell sections, which all have the thickness in the same field.
 SECTIONS = ("SHELL SECTION", "SHELL GENERAL SECTION", "MEMBRANE SECTION")
-# By keyword: the data line from 0 and, counted between commas, the first field and the one behind
-# the last. Nodes and elements have their id first in every line, then coordinates or nodes.
+# For each keyword the data line from 0, the first field and the end of the fields, counted between
+# commas. Lines of nodes and elements start with the id.
 FIELDS: dict[str, dict[str, tuple[int, int, int]]] = {
     "SHELL SECTION": {"thickness": (0, 0, 1)},
     "ELASTIC": {"young": (0, 0, 1), "poisson": (0, 1, 2)},
@@ -16,7 +16,7 @@ FIELDS: dict[str, dict[str, tuple[int, int, int]]] = {
     "INSTANCE": {"shift": (0, 0, 3), "axis": (1, 0, 7)},
     "KINEMATIC COUPLING": {"node": (0, 0, 1)},  # in every line
     "MPC": {"nodes": (0, 1, 16)},  # in every line
-    "EQUATION": {"term": (1, 0, 3)},  # node, direction, factor; again and again
+    "EQUATION": {"term": (1, 0, 3)},  # node, direction, factor; repeated
 }
 
 _EXACT = {
@@ -28,7 +28,7 @@ _EXACT = {
     "S8R5": ("shell", 8), "S9R5": ("shell", 9), "DS6": ("shell", 6), "DS8": ("shell", 8),
 }  # fmt: skip
 _RULES = (
-    # Of order 2 with three nodes, of order 1 and 3 with two.
+    # Elements of order 2 have three nodes; those of order 1 and 3 have two.
     (re.compile(r"(?:B|PIPE)[23]2\w*|T[23]D3\w*|SAX2\w*"), "line of three"),
     (re.compile(r"(?:S|R3D|M3D|SFM3D)(\d)(?:R|RS|RSW|S|T|RT|R5|RHT)?"), "shell"),
     (re.compile(r"(?:SC|CSS)(\d)\w*"), "solid"),
@@ -39,7 +39,7 @@ _RULES = (
 
 
 def element_type(name: str) -> tuple[str, int]:
-    """Kind, and number of nodes, 0 if it is not known: then each line is one element."""
+    """Return kind and number of nodes; with 0 nodes each line is one element."""
     if name in _EXACT:
         return _EXACT[name]
     for rule, kind in _RULES:

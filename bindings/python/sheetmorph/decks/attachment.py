@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What hangs on the sheet of a deck: groups of nodes that no shell has, and where they hold on."""
+"""Groups of nodes outside the sheet of a deck, and the sheet nodes to which they are attached."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from ..arrays import Bools, Ints
 from .deck import Deck
 from .shells import Sheet
 
-# Places nearer than this part of the largest coordinate are one.
+# Points closer than this share of the largest coordinate coincide.
 _SAME = 1e-7
 _JOINING = ("line", "rigid", "constraint", "mass", "weld", "solid", "frame")
 
 
 @dataclass(frozen=True)
 class Group:
-    """Nodes that elements hold together.
+    """Nodes that elements connect.
 
-    nodes: (k,) indices in the deck; held: (j,) rows of the sheet's nodes that elements tie them to;
-    kinds: of those elements.
+    nodes (k,) are indices in the deck. The rows `held` (j,) are the sheet nodes to which elements
+    attach them. kinds are those of the elements.
     """
 
     nodes: Ints
@@ -30,7 +30,7 @@ class Group:
 
 
 def groups_of(deck: Deck, sheet: Sheet) -> list[Group]:
-    """The nodes outside of the sheet, as they hang together over one another."""
+    """Return the connected groups of nodes outside the sheet."""
     row = np.full(len(deck.ids), -1, dtype=np.int64)
     row[sheet.nodes] = np.arange(len(sheet.nodes))
     pinned = pinned_nodes(deck, sheet)
@@ -57,8 +57,10 @@ def groups_of(deck: Deck, sheet: Sheet) -> list[Group]:
 
 
 def pinned_nodes(deck: Deck, sheet: Sheet) -> Ints:
-    """(k, 2) nodes that an element of no length ties to one of the sheet, and its row: wherever
-    else they belong to, they are where that node is."""
+    """Return (k, 2) nodes attached by a zero-length element to a sheet node, and its row.
+
+    Such a node coincides with the sheet node, whatever else it belongs to.
+    """
     row = np.full(len(deck.ids), -1, dtype=np.int64)
     row[sheet.nodes] = np.arange(len(sheet.nodes))
     found = [np.zeros((0, 2), dtype=np.int64)]
@@ -78,7 +80,7 @@ def pinned_nodes(deck: Deck, sheet: Sheet) -> Ints:
 
 
 def _links(deck: Deck, free: Bools) -> tuple[Ints, Ints, Ints]:
-    """Pairs of free nodes; of a free node and one of the sheet; of a free node and a kind."""
+    """Return pairs of free nodes, of a free and a sheet node, and of a free node and a kind."""
     none = np.zeros((0, 2), dtype=np.int64)
     links, ties, kinds = [none], [none], [none]
     for block in deck.elements:
@@ -101,7 +103,7 @@ def _links(deck: Deck, free: Bools) -> tuple[Ints, Ints, Ints]:
 
 
 def labels_of(count: int, links: Ints) -> Ints:
-    """(n,) the smallest index of what each node hangs together with."""
+    """Return for each node (n,) the smallest index in its connected component."""
     labels = np.arange(count)
     while True:
         before = labels
@@ -115,7 +117,7 @@ def labels_of(count: int, links: Ints) -> Ints:
 
 
 def _by_label(labels: Ints, pairs: Ints, row: Ints | None) -> dict[int, Ints]:
-    """The second of each pair, by the label of the first; each once."""
+    """Return the unique second items of pairs, by the label of the first."""
     if not len(pairs):
         return {}
     values = pairs[:, 1] if row is None else row[pairs[:, 1]]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fields between commas, and words between blanks, of many lines at once."""
+"""Comma-separated fields and blank-separated words of many lines at once."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from .model import FREE, Block, Raw
 from .numbers import parse_integers, parse_reals
 from .text import DeckText
 
-# No number is longer; what is, is none.
+# Longer fields are not numbers.
 _LONGEST = 64
 
 
 def comma_places(text: DeckText, rows: Ints, count: int) -> tuple[Ints, Ints]:
-    """Begins and ends (n, count) of the first fields of some lines (rising).
+    """Return begins and ends (n, count) of the first fields of ascending lines.
 
-    A field that is not there begins behind the end of its line.
+    A missing field begins after the end of its line.
     """
     commas = _commas(text, rows).astype(np.int64)
     first = np.searchsorted(commas, text.begins[rows])
@@ -48,13 +48,13 @@ def _commas(text: DeckText, rows: Ints) -> Ints:
 
 
 def integers(text: DeckText, begins: Ints, ends: Ints) -> tuple[Ints, Bools]:
-    """Whole numbers (n,) between offsets, 0 where blank; and which are sound."""
+    """Return integers (n,) between offsets, 0 where blank, and which are valid."""
     codes = _codes(text, begins, ends)
     return parse_integers(codes)
 
 
 def reals(text: DeckText, begins: Ints, ends: Ints) -> Floats:
-    """Numbers (n,) between offsets, 0 where blank, NaN where there is none."""
+    """Return numbers (n,) between offsets, 0 where blank, NaN where invalid."""
     return parse_reals(_codes(text, begins, ends))
 
 
@@ -68,7 +68,7 @@ def _codes(text: DeckText, begins: Ints, ends: Ints) -> Codes:
 
 
 def comma_nodes(raw: Raw, file: int, rows: Ints, room: int) -> Block:
-    """Nodes: an id and three coordinates between commas; coordinates left out are 0."""
+    """Return nodes: an id and three coordinates with commas; missing coordinates are 0."""
     text = raw.texts[file]
     leads: dict[tuple[int, int], int] = {}
     count = len(rows)
@@ -106,7 +106,7 @@ def _comma_nodes(
 
 
 def _trimmed(text: DeckText, begins: Ints, ends: Ints) -> tuple[Ints, Ints]:
-    """The same places without blanks at their ends."""
+    """Return the places without blanks at both ends."""
     shape = begins.shape
     one, two = begins.reshape(-1), ends.reshape(-1)
     codes = _codes(text, one, two)
@@ -118,7 +118,7 @@ def _trimmed(text: DeckText, begins: Ints, ends: Ints) -> tuple[Ints, Ints]:
 
 
 def words(text: DeckText, begin: int, end: int) -> tuple[Ints, Ints]:
-    """Begins and ends of the words between two offsets."""
+    """Return begins and ends of the words between two offsets."""
     size = 1 << 20
     kind = text.begins.dtype
     edges = []
@@ -132,7 +132,7 @@ def words(text: DeckText, begin: int, end: int) -> tuple[Ints, Ints]:
         edges.append(np.array([end], dtype=kind))
     found = np.empty(sum(map(len, edges)), dtype=kind)
     place = len(found)
-    while edges:  # from behind, so that what is done with goes
+    while edges:  # In reverse order, so that each piece can be freed.
         last = edges.pop()
         place -= len(last)
         found[place : place + len(last)] = last

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The shells of a deck as its parts list shows them: a line for every property."""
+"""The shells of a deck for the list of parts, one entry per property."""
 
 from __future__ import annotations
 
@@ -14,8 +14,11 @@ from .shells import Sheet
 
 @dataclass(frozen=True)
 class Shells:
-    """The shells of one property: its number and name ("" if it has none), thickness in mm (0 if
-    the deck does not tell), material, and how many elements there are."""
+    """The shells of one property.
+
+    name is "" if it has none. thickness is in mm, 0 if the deck does not give it. elements is their
+    number.
+    """
 
     number: int
     name: str
@@ -25,14 +28,13 @@ class Shells:
 
     @property
     def title(self) -> str:
-        """As a tree shows them."""
+        """The title in a tree."""
         thickness = f"{self.thickness:.4g} mm" if self.thickness > 0.0 else "no thickness"
         return " · ".join(filter(None, (self.name, f"PID {self.number}", thickness)))
 
 
 def thickness_of(deck: Deck, sheet: Sheet, rows: Ints) -> float:
-    """The median thickness of the elements of some triangles (k,) of a sheet, mm; 0 if the deck
-    does not tell."""
+    """Return the median thickness of the elements of triangles (k,), mm; 0 if not given."""
     elements = sheet.elements[rows]
     is_first = np.diff(elements, prepend=-1) != 0
     numbers, counts = np.unique(sheet.properties[rows][is_first], return_counts=True)
@@ -41,7 +43,7 @@ def thickness_of(deck: Deck, sheet: Sheet, rows: Ints) -> float:
 
 
 def shells_of(deck: Deck, sheet: Sheet, rows: Ints) -> list[Shells]:
-    """The properties of some triangles (k,) of a sheet, the lowest number first."""
+    """Return the properties of triangles (k,) of a sheet in ascending order."""
     properties, elements = sheet.properties[rows], sheet.elements[rows]
     raw = deck.raw
     return [

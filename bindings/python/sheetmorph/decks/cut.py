@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Columns of many lines at once."""
+"""Fixed columns of many lines at once."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from .numbers import parse_integers, parse_reals
 
 @dataclass(frozen=True)
 class Cut:
-    """Some lines of a file.
+    """Lines of a file.
 
-    file: index of its text; rows: (n,) lines from 0; stops: (l,) where the text of every line of
-    the file ends; card: what they are, for messages.
+    file is the index of its text and rows (n,) are lines from 0. stops (l,) has the end of the text
+    in every line of the file. card names the lines in messages.
     """
 
     raw: Raw
@@ -29,7 +29,10 @@ class Cut:
     card: str
 
     def integers(self, column: int, width: int, blank: int | None = None) -> Ints:
-        """(n,) whole numbers in some columns; what blank ones are, if they may be. FileError."""
+        """Return integers (n,) in a column range; blank is the value of empty fields, if allowed.
+
+        Raises FileError.
+        """
         text = self.raw.texts[self.file]
         found = np.empty(len(self.rows), dtype=np.int64)
         for part in chunks(len(self.rows)):
@@ -52,7 +55,7 @@ class Cut:
         raise self.raw.error((self.file, line), f"{what} number")
 
     def reals(self, column: int, width: int) -> Floats:
-        """(n,) numbers in some columns; 0 where blank, NaN where there is no number."""
+        """Return numbers (n,) in a column range; 0 where blank, NaN where invalid."""
         text = self.raw.texts[self.file]
         found = np.empty(len(self.rows))
         for part in chunks(len(self.rows)):
@@ -61,12 +64,12 @@ class Cut:
         return found
 
     def table(self, column: int, width: int, count: int) -> Ints:
-        """(n, count) whole numbers in columns one after another, blank ones 0."""
+        """Return integers (n, count) in adjacent columns; blank ones are 0."""
         some = (self.integers(column + k * width, width, 0) for k in range(count))
         return side_by_side(some, (len(self.rows), count))
 
     def nodes(self, id_width: int, width: int) -> Block:
-        """Nodes: an id and three coordinates one behind the other."""
+        """Return nodes: an id and three coordinates in adjacent columns."""
         text = self.raw.texts[self.file]
         ids = self.integers(0, id_width)
         values = np.empty((len(ids), 3))
@@ -93,7 +96,7 @@ class Cut:
 
 
 def small(values: Ints) -> Ints:
-    """A copy of whole numbers, in half the memory where they fit."""
+    """Return a copy of integers with half the memory if they fit."""
     return values.astype(np.int32 if _fit(values) else values.dtype)
 
 
@@ -102,7 +105,7 @@ def _fit(values: Ints) -> bool:
 
 
 def side_by_side(columns: Iterable[Ints], shape: tuple[int, int]) -> Ints:
-    """Columns of whole numbers as one array of a shape, small() if they fit."""
+    """Return columns of integers as one array, with half the memory if they fit."""
     whole: Ints = np.empty(shape, dtype=np.int32)
     for k, column in enumerate(columns):
         if whole.dtype == np.int32 and not _fit(column):

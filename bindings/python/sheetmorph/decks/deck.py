@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A deck that was read: its nodes in the basic system, and the same files with nodes moved."""
+"""A deck: its nodes in the basic system, and its files with moved nodes."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from .text import Edit, write_edited
 from .wide import is_small_grid, wide_grid
 
 _EIGHT = 8
-# Nodes of elements that are looked for when a deck is read; and elements that may have scalar
-# points, which have no place, in place of nodes.
+# Largest number of element nodes to check when a deck is read. Elements of the second list can
+# refer to scalar points, which have no position.
 _MOST_CHECKED = 2_000_000
 _SCALAR = ("CELAS", "CDAMP", "CMASS", "MPC", "*EQUATION")
 
 
 class Deck:
-    """The files of a deck and what they say.
+    """The files of a deck with their content.
 
-    path: the first file; texts: all of them, the first one first; ids: (n,) of the nodes, in the
-    order of the files; points: (n, 3) their positions in the basic system; elements; frames: the
-    coordinate systems by number; notes: what a user should know.
+    path is the first file and texts has all of them. ids (n,) are the nodes in file order, and
+    points (n, 3) their positions in the basic system. frames has the coordinate systems by number.
+    notes are remarks for the user.
     """
 
     def __init__(self, raw: Raw, frames: dict[int, Frame] | None = None):
@@ -48,7 +48,7 @@ class Deck:
         self.notes = [*raw.notes, *raw.cut]
 
     def _note_missing_nodes(self) -> None:
-        """What hangs on nodes that are not there; of shells, sheet_of() refuses it."""
+        """Record elements with missing nodes; for shells sheet_of() raises an error."""
         if sum(block.nodes.size for block in self.elements) > _MOST_CHECKED:
             return
         for block in self.elements:
@@ -59,11 +59,11 @@ class Deck:
 
     @property
     def form(self) -> str:
-        """The name of the format."""
+        """Name of the format."""
         return self.raw.form
 
     def find(self, ids: Ints) -> Ints:
-        """Indices of the nodes with these ids, -1 where there is none."""
+        """Return the indices of nodes with these ids, -1 where there is none."""
         if self._order is None:
             kind = np.int32 if len(self.ids) < 2**31 else np.int64
             self._order = np.argsort(self.ids, kind="stable").astype(kind)
@@ -74,11 +74,11 @@ class Deck:
         return np.where(ordered[at] == ids, self._order[at], -1)
 
     def place_of(self, node: int) -> tuple[int, int]:
-        """File and line, from 0, of the node with an index."""
+        """Return file and line, from 0, of the node with an index."""
         return int(self._files[node]), int(self._lines[node])
 
     def width_of(self, nodes: Ints) -> int:
-        """The fewest characters that a number of these nodes (indices) may take."""
+        """Return the smallest field width among these nodes (indices), in characters."""
         wanted = np.zeros(len(self.ids), dtype=bool)
         wanted[nodes] = True
         rooms = [
@@ -89,12 +89,14 @@ class Deck:
         return min(rooms, default=0)
 
     def digit(self, nodes: Ints, points: Floats) -> float:
-        """The last digit, mm, that the file keeps of the largest of the coordinates (k, 3) of some
-        nodes (k,); that of a double where the fields are wide enough for more."""
+        """Return the last digit, mm, that the file stores for coordinates (k, 3) of nodes (k,).
+
+        It is at least that of a double.
+        """
         size, width = float(np.abs(points).max(initial=0.0)), self.width_of(nodes)
         if not self._systems[nodes].any():
             return last_digit(size, width)
-        # Angles are in degrees: the last digit of one moves a node by its distance from the axis.
+        # Angles are in degrees; their last digit moves a node by its distance from the axis.
         return last_digit(max(size, 360.0), width) * max(1.0, float(np.radians(size)))
 
     def _basic(self) -> Floats:
@@ -102,7 +104,7 @@ class Deck:
             return self._values
         points, numbers = self._values.copy(), np.unique(self._systems)
         frames = Frames(self.frames, self._locate_at_rest)
-        # A system may be by nodes that stand in another one: each is worked out when it is needed.
+        # A system can be defined by nodes in another system, so each is computed on demand.
         self._frames_at_rest = frames
         for number in numbers[numbers != 0].tolist():
             rows = np.flatnonzero(self._systems == number)
@@ -133,9 +135,9 @@ class Deck:
         return row
 
     def save(self, positions: Floats, file: int, out: BinaryIO, *, is_wide: bool = False) -> None:
-        """Write one of the files with the nodes at (n, 3) positions.
+        """Write one of the files with the nodes at positions (n, 3).
 
-        is_wide: moved nodes in small fields of Nastran get large ones. Raises FileError for a
+        With is_wide, moved nodes in small Nastran fields get large fields. Raises FileError for a
         number that does not fit its field.
         """
         values = self._written_values(positions)
@@ -143,7 +145,7 @@ class Deck:
         write_edited(self.texts[file], out, edits)
 
     def _wide_edits(self, file: int, values: Floats) -> Iterator[Edit]:
-        """The same with small GRID cards made large ones, all at once."""
+        """Return the edits with small GRID cards replaced by large ones, all at once."""
         text = self.texts[file]
         found: list[tuple[int, int, bytes]] = []
         for number, block in enumerate(self.raw.blocks):
@@ -173,14 +175,14 @@ class Deck:
             yield np.array(begins), np.array(lengths), list(numbers)
 
     def unwritten(self, positions: Floats) -> Ints:
-        """The nodes (k,) that are not at rest in (n, 3) positions, and cannot be written."""
+        """Return the nodes (k,) that moved to positions (n, 3) but cannot be written."""
         locked = self.find(np.array(sorted(self.raw.locked), dtype=np.int64))
         locked = locked[locked >= 0]
         found: Ints = locked[(positions[locked] != self.points[locked]).any(axis=1)]
         return found
 
     def _written_values(self, positions: Floats) -> Floats:
-        """(n, 3) numbers for the file; those of nodes that stay are those that are there."""
+        """Return the numbers (n, 3) for the file; unmoved nodes keep theirs."""
         moved = (positions != self.points).any(axis=1)
         values = np.where(moved[:, None], positions, self._values)
         if not self._systems.any():
@@ -199,7 +201,7 @@ class Deck:
         return all(np.array_equal(a, b) for a, b in zip(before, after))
 
     def _moved_frames(self, positions: Floats) -> Frames:
-        """The coordinate systems as the written numbers of their nodes will define them."""
+        """Return the coordinate systems that the written numbers of their nodes define."""
 
         def locate(node: int) -> Floats:
             row = self._row_of(node)
@@ -232,7 +234,7 @@ class Deck:
             ) from None
 
     def _edits(self, file: int, values: Floats) -> Iterator[Edit]:
-        """The pieces of a file that change, in order."""
+        """Yield the changed pieces of a file in order."""
         blocks = enumerate(self.raw.blocks)
         mine = [k for k, block in blocks if block.file == file and len(block.ids)]
         mine.sort(key=lambda k: int(self.raw.blocks[k].begins[0, 0]))
@@ -240,7 +242,7 @@ class Deck:
             for k in mine:
                 yield from self._edits_of([k], values)
         else:
-            # Blocks of one file may lie inside one another (odd cards among plain ones).
+            # Blocks of one file can be interleaved (odd cards among plain ones).
             yield from self._edits_of(mine, values)
 
     def _is_rising(self, number: int) -> bool:
@@ -256,13 +258,13 @@ class Deck:
         )
 
     def _are_apart(self, numbers: list[int]) -> bool:
-        """Whether blocks, each rising, lie one behind the other."""
+        """Return whether ascending blocks follow each other without overlap."""
         blocks = [self.raw.blocks[k] for k in numbers]
         ends = [int(block.begins[-1, -1]) for block in blocks]
         return all(end <= int(b.begins[0, 0]) for end, b in zip(ends, blocks[1:]))
 
     def _edits_of(self, numbers: list[int], values: Floats) -> Iterator[Edit]:
-        """The pieces of some blocks that change, in order."""
+        """Yield the changed pieces of some blocks in order."""
         if not numbers:
             return
         if len(numbers) == 1 and self._is_rising(numbers[0]):
@@ -285,11 +287,11 @@ class Deck:
             yield at[rows], *self._pieces(owner[rows], index[rows], values)
 
     def _changed(self, number: int, values: Floats, part: slice) -> Bools:
-        """Which numbers (3 k,) of some rows of a block are to be written."""
+        """Return which numbers (3 k,) of some rows of a block must be written."""
         block, rows = self.raw.blocks[number], self._rows[number][part]
         new = values[np.maximum(rows, 0)]
         changed = (new != block.values[part]) & (rows >= 0)[:, None]
-        # Where a line is too short for its fields, all of them are written.
+        # If a line is too short for its fields, all of them are written.
         short = (block.widths[part] < (block.room if block.kind == FIXED else 0)).any(axis=1)
         first, last, _ = part.indices(len(block.ids))
         for line, _ in block.leads:
@@ -321,11 +323,12 @@ class Deck:
             return [text.encode() for text in format_reals(new, block.room, self.raw.mark)]
         except ValueError:
             for row, value in zip(rows.tolist(), new):
-                self._texts(np.array([value]), block.room, row)  # raises for the one
+                # raises for the number that does not fit
+                self._texts(np.array([value]), block.room, row)
             raise
 
     def _fitted(self, block: Block, line: Ints, axis: Ints, shown: list[bytes]) -> Iterator[bytes]:
-        """The numbers with the blanks that keep all others in their columns."""
+        """Yield the numbers with the blanks that keep all other fields in their columns."""
         if block.kind == PADDED:
             for row, k, text in zip(line.tolist(), axis.tolist(), shown):
                 yield b" " * block.leads.get((row, k), 0) + text.ljust(block.room)
@@ -352,7 +355,7 @@ class Deck:
 
 
 def missing_nodes(deck: Deck, elements: Elements) -> FileError | None:
-    """What to tell of the first element with nodes that the deck does not have."""
+    """Return the error for the first element with nodes that the deck does not have."""
     wanted = elements.nodes
     lost = (deck.find(wanted) < 0) & (wanted != 0)
     rows = np.flatnonzero(lost.any(axis=1))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""LS-DYNA keyword files: nodes, elements and what joins them, in all three widths."""
+"""LS-DYNA keyword files: nodes, elements and joints, in all three field widths."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from .numbers import parse_integer, parse_real
 from .placing import note_placing, remember_placing
 
 SUFFIXES = (".k", ".key", ".dyn", ".keyword")
-# Keywords of nodes and of what is written like them, with whether they are nodes of the model.
+# Keywords in the form of nodes, and whether they define nodes of the model.
 _NODES = {
     "NODE": True,
     "AIRBAG_REFERENCE_GEOMETRY": False,
@@ -32,7 +32,7 @@ _NODES = {
     "INITIAL_FOAM_REFERENCE_GEOMETRY": False,
     "BOUNDARY_PRESCRIBED_FINAL_GEOMETRY": False,
 }
-# Materials that begin with id, density, Young's modulus, Poisson's ratio.
+# Materials that start with id, density, Young's modulus, Poisson's ratio.
 _MATERIALS = frozenset(
     f"MAT_{name}"
     for names in (
@@ -46,22 +46,22 @@ _MATERIALS = frozenset(
 
 
 def read_dyna(path: Path, opener: Opener) -> Deck:
-    """A keyword deck with its includes. Raises FileError."""
+    """Read a keyword deck with its includes. Raises FileError."""
     reader = _Reader(Raw("LS-DYNA"), path, opener)
     return reader.read()
 
 
-# Line, id, values, and of each coordinate its text, begin and width.
+# Line, id, values, and for each coordinate its text, begin and width.
 _OddNode = tuple[int, int, list[float], list[tuple[str, int, int]]]
 
 
-# As if it stood behind the *KEYWORD of every deck: a solver may get it on its command line instead.
+# Options that apply as if every *KEYWORD had them; solvers also accept them as arguments.
 _assumed: ContextVar[str] = ContextVar("assumed", default="")
 
 
 @contextmanager
 def assumed_options(options: str) -> Iterator[None]:
-    """Decks are read as if their *KEYWORD had these options, "long=y" or "i10=y"."""
+    """Read decks as if their *KEYWORD had these options, "long=y" or "i10=y"."""
     token = _assumed.set(options)
     try:
         yield
@@ -70,7 +70,7 @@ def assumed_options(options: str) -> Iterator[None]:
 
 
 class _Reader:
-    """The state while a deck is read."""
+    """The state of the reader."""
 
     def __init__(self, raw: Raw, path: Path, opener: Opener):
         self.raw = raw
@@ -111,7 +111,7 @@ class _Reader:
         self._included.leave()
 
     def _section(self, cards: DynaCards, section: Section) -> None:
-        """Take a keyword with its cards."""
+        """Read a keyword with its cards."""
         name = section.name
         widths = {"%": TEN, "+": LONG, "-": STANDARD}.get(section.suffix, self._widths)
         cards.parameters, cards.width = self._parameters, widths.other
@@ -194,7 +194,7 @@ class _Reader:
             self.raw.blocks += blocks
 
     def _odd_node(self, cards: DynaCards, line: int, widths: Widths) -> _OddNode | None:
-        """A node in free fields, or with parameters."""
+        """Return a node in free fields or with parameters."""
         fields = cards.places(line, [widths.label] + [widths.real] * 3)
         number = parse_integer(cards.value(fields[0][0]))
         if number is None:
@@ -240,24 +240,27 @@ class _Reader:
             number = parse_integer(fields[layout["id"].at]) or 0
             second = cards.fields(rows[at + layout["thickness"].card], cards.width)
             self._sections[number] = parse_real(second[layout["thickness"].at]) or 0.0
-            # Angles of a layered shell, eight a card, for each of its integration points.
+            # Angles of a layered shell, one per integration point, eight per card.
             is_layered = parse_integer(fields[layout["angles"].at]) == 1
             points = int(parse_real(fields[layout["points"].at]) or 0.0)
             at += 2 + titles + (-(-points // 8) if is_layered else 0)
 
 
 def _is_plain(cards: DynaCards, section: Section) -> bool:
-    """Whether an include is neither shifted, turned, scaled nor numbered anew: offsets of ids in
-    its first two cards, factors of mass, time, length in the third, a transformation in the last.
+    """Return whether an include is not shifted, rotated, scaled or renumbered.
+
+    The first two cards have id offsets, the third has factors of mass, time and length, and the
+    last a transformation.
     """
     rows = section.rows.tolist()
     named = set(cards.filled(section.rows).tolist())
     while rows and (rows[0] not in named or cards.text.line(rows[0]).rstrip().endswith(" +")):
         rows = rows[1:]
-    # A blank card is a card: nothing is shifted by it.
+    # Blank cards count, and they shift nothing.
     for k, line in enumerate(rows[1:]):
         fields = [text.strip() for text in cards.fields(line, cards.width)]
-        # Behind: prefix and suffix of names, or the scale of temperature, which place nothing.
+        # The other fields are a name prefix and suffix, or the temperature scale, which do not
+        # affect positions.
         fields = fields[:1] if k in (1, 3) else fields[:3] if k == 2 else fields
         allowed = (0.0, 1.0) if k == 2 else (0.0,)
         if any(text and parse_real(text) not in allowed for text in fields):

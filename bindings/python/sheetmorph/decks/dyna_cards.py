@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The lines of a keyword file: keywords, their cards, and the fields of single cards."""
+"""The lines of a keyword file: keywords, their cards, and fields of single cards."""
 
 from __future__ import annotations
 
@@ -17,8 +17,11 @@ _HEAD = re.compile(r"\*\s*([A-Za-z0-9_\-]*[A-Za-z0-9_])\s*([%+\-]?)(.*)", re.DOT
 
 @dataclass(frozen=True)
 class Section:
-    """A keyword. name: in capitals, without `*`; suffix: `%`, `+`, `-` or ""; rest: what else
-    stands in its line; line: from 0; rows: the lines of its cards, comments left out."""
+    """A keyword with its cards.
+
+    name is in capitals without `*`, and suffix is `%`, `+`, `-` or "". rest is the remainder of its
+    line. line counts from 0. rows are the lines of its cards without comments.
+    """
 
     name: str
     suffix: str
@@ -30,8 +33,8 @@ class Section:
 class DynaCards:
     """The cards of one file.
 
-    parameters: numbers by name, in small letters; width: of a field that is not a node's or an
-    element's.
+    parameters has numbers by name in lower case. width is that of fields outside of nodes and
+    elements.
     """
 
     def __init__(self, raw: Raw, file: int):
@@ -53,11 +56,11 @@ class DynaCards:
 
     @property
     def has_keywords(self) -> bool:
-        """Whether there is any."""
+        """Whether the file has keywords."""
         return len(self._keywords) > 0
 
     def sections(self) -> Iterator[Section]:
-        """The keywords of the file, in order."""
+        """Yield the keywords of the file in order."""
         ends = np.append(self._keywords[1:], len(self.text))
         for line, end in zip(self._keywords.tolist(), ends.tolist()):
             found = _HEAD.match(self.text.line(line))
@@ -68,7 +71,7 @@ class DynaCards:
             yield Section(name.upper(), suffix, rest, line, rows)
 
     def filled(self, rows: Ints) -> Ints:
-        """Those of some lines that are not blank."""
+        """Return the lines that are not blank."""
         text = self.text
         blank = text.ends[rows] == text.begins[rows]
         some = np.flatnonzero(
@@ -81,11 +84,11 @@ class DynaCards:
         return found
 
     def plain(self, rows: Ints) -> Bools:
-        """Which of some lines are written in columns, with numbers alone."""
+        """Return which lines have fixed columns with numbers only."""
         return ~self._odd[rows]
 
     def fields(self, line: int, width: int) -> list[str]:
-        """The fields of a card, at least ten."""
+        """Return the fields of a card, at least ten."""
         shown = self.text.line(line)
         if "," in shown:
             texts = shown.split(",")
@@ -95,7 +98,10 @@ class DynaCards:
         return [self.value(text) for text in texts] + [""] * 10
 
     def places(self, line: int, widths: Sequence[int]) -> list[tuple[str, int, int]]:
-        """(text, offset, length) of the fields of a card; a missing one has a negative offset."""
+        """Return (text, offset, length) of the fields of a card.
+
+        Missing fields have a negative offset.
+        """
         shown = self.text.line(line)
         begin, found, at = int(self.text.begins[line]), [], 0
         if "," in shown:
@@ -112,7 +118,7 @@ class DynaCards:
         return found + [("", -end, 0)] * (len(widths) - len(found))
 
     def value(self, text: str) -> str:
-        """A field with the parameter in it, if there is one, exchanged for its number."""
+        """Return a field with a parameter replaced by its number."""
         stripped = text.strip()
         sign = stripped[:1] if stripped[:1] == "-" else ""
         name = stripped[len(sign) :]
@@ -125,7 +131,7 @@ class DynaCards:
         return str(int(number)) if number == int(number) else repr(number)
 
     def names(self, section: Section) -> list[tuple[int, str]]:
-        """File names in the cards of a keyword; one with ` +` at its end goes on in the next."""
+        """Return the file names in the cards of a keyword; ` +` at the end continues a name."""
         found: list[tuple[int, str]] = []
         goes_on = False
         for line in self.filled(section.rows).tolist():

@@ -23,7 +23,7 @@ _MORE_NODES = {"H20": 20, "H27": 27, "T15": 15, "T20": 20, "P21": 21, "P40": 40,
 
 
 def add_elements(cards: DynaCards, section: Section, width: int, _real: int) -> None:
-    """Add the elements of a keyword to what was read. Raises FileError."""
+    """Add the elements of a keyword to the deck. Raises FileError."""
     name, _, options = section.name[len("ELEMENT_") :].partition("_")
     known = KINDS.get(name)
     if known is None:
@@ -37,7 +37,7 @@ def add_elements(cards: DynaCards, section: Section, width: int, _real: int) -> 
             cards.raw.notes.append(told)
         return
     extra = sum(known.options.get(word, 0) for word in words)
-    # Thickness, angle and material system stand in one line.
+    # Thickness, angle and material system share one line.
     extra -= max(0, sum(word in SHARED for word in words) - 1) if name == "SHELL" else 0
     extra += 2 if name == "INERTIA" else 0
     if name == "SOLID":
@@ -51,7 +51,7 @@ def add_elements(cards: DynaCards, section: Section, width: int, _real: int) -> 
 
 
 def _heads(cards: DynaCards, section: Section, rows: Ints, each: int) -> Ints:
-    """The first line of every element of some lines each."""
+    """Return the first line of every element with `each` lines."""
     if len(rows) % each:
         what = f"*{section.name}: {len(rows)} cards are no whole number of elements of {each}"
         raise cards.raw.error((cards.file, section.line), what)
@@ -61,7 +61,7 @@ def _heads(cards: DynaCards, section: Section, rows: Ints, each: int) -> Ints:
 def _shells_with_more(
     cards: DynaCards, section: Section, rows: Ints, layout: tuple[int, int]
 ) -> Ints:
-    """Shells with values at their nodes: one more line where there are mid-side nodes."""
+    """Return the first lines of shells with nodal values; mid-side nodes add a line."""
     width, extra = layout
     size = cards.text.ends[rows] - cards.text.begins[rows]
     if not (size > 6 * width).any():
@@ -107,7 +107,7 @@ def _add(cards: DynaCards, section: Section, heads: Ints, layout: tuple[Element,
 
 
 def _numbers(cards: DynaCards, section: Section, line: int, layout: tuple[int, int]) -> list[int]:
-    """The first whole numbers of a card in free fields or with parameters."""
+    """Return the first integers of a card in free fields or with parameters."""
     width, count = layout
     found = []
     for text in cards.fields(int(line), width)[:count]:
@@ -122,7 +122,7 @@ def _numbers(cards: DynaCards, section: Section, line: int, layout: tuple[int, i
 def _solids(
     cards: DynaCards, section: Section, rows: Ints, layout: tuple[int, int, list[str]]
 ) -> None:
-    """Solids: nodes behind the part in one line, or in lines of their own."""
+    """Add solids, whose nodes are in the line of the part or in separate lines."""
     width, extra, words = layout
     most = max([_MORE_NODES.get(word, 0) for word in words] or [0])
     each_line = SOLID_NODES.count

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What joins nodes in LS-DYNA without being an element: welds, rigid bodies, systems by nodes."""
+"""Connections in LS-DYNA that are not elements: welds, rigid bodies, systems by nodes."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ JOINTS = (
     "CONSTRAINED_JOINT", "DEFINE_COORDINATE_NODES", "SET_NODE", "SET_PART", "SET_SHELL",
 )  # fmt: skip
 _LARGEST = 1e15
-# By the beginning of a keyword: what its joint is; those of a set are in the second table.
+# Start of a keyword, and the kind of its joint. The second table has joints of node sets.
 _OF_NODES = {
     "CONSTRAINED_SPOTWELD": "weld",
     "CONSTRAINED_RIVET": "weld",
@@ -30,21 +30,21 @@ _OF_SETS = {
     "CONSTRAINED_GENERALIZED_WELD": "weld",
     "CONSTRAINED_NODE_SET": "constraint",
 }
-# What the numbers of a set are of.
+# What the numbers of a set refer to.
 _SETS = {"SET_NODE": "nodes", "SET_PART": "properties", "SET_SHELL": "elements"}
 
 
 class Joints:
-    """Gathers them; those of sets are known at the end only."""
+    """Collector of joints; those of sets are resolved at the end."""
 
     def __init__(self, raw: Raw):
         self._raw = raw
-        self._sets: dict[int, list[int]] = {}  # of nodes
+        self._sets: dict[int, list[int]] = {}  # node sets
         self._named: dict[str, tuple[str, list[int]]] = {}
         self._by_set: list[tuple[str, str, tuple[int, int, int], int, int]] = []
 
     def add(self, cards: DynaCards, section: Section) -> None:
-        """Take a keyword."""
+        """Read a keyword."""
         name, rows = section.name, section.rows.tolist()
         for word, of in _SETS.items():
             if name.startswith(word):
@@ -57,7 +57,7 @@ class Joints:
                 return
         for begin, kind in _OF_SETS.items():
             if name.startswith(begin):
-                # Options of a rigid body have cards of their own; without them, each is a body.
+                # Options of a rigid body add cards; without them, each card is a body.
                 plain = name.removesuffix("_ID").removesuffix("_TITLE") == begin
                 for line in rows if plain else rows[:1]:
                     self._of_set(cards, section, line, (kind, CARDS[begin]))
@@ -125,7 +125,7 @@ class Joints:
                 members += [number for number in numbers if number > 0]
 
     def finish(self) -> None:
-        """Add what joins sets of nodes, and the sets themselves."""
+        """Add the joints of node sets, and the sets, to the deck."""
         for title, (of, members) in self._named.items():
             self._raw.sets.append(NamedSet(title, of, members))
         for name, kind, (owner, group, main), file, line in self._by_set:
@@ -135,11 +135,11 @@ class Joints:
 
 
 def _cards_of(name: str, rows: list[int]) -> list[int]:
-    """The cards that say what is joined: without ids, titles and what options add to them."""
+    """Return the cards that list the joined nodes, without ids, titles and option cards."""
     words = name.split("_")
     first = int("ID" in words or "TITLE" in words)
     if name.startswith("CONSTRAINED_SPOTWELD"):
-        # Each weld has its id, and its filter, in cards of its own.
+        # Each weld has its id, and its filter, in separate cards.
         return rows[first :: 1 + first + int("FILTERED" in words)]
     if name.startswith("CONSTRAINED_RIVET"):
         return rows[first :: 1 + first]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What in an LS-DYNA deck goes by places, and stays as it is when nodes move."""
+"""Position-dependent data of an LS-DYNA deck that stay unchanged when nodes move."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _REASONS = {
 
 
 def stale_of(cards: DynaCards, section: Section) -> list[Place]:
-    """The keyword, if a moved node leaves it behind."""
+    """Return the keyword if moved nodes make it stale."""
     for name, reason in _REASONS.items():
         if section.name.startswith(name):
             rows = section.rows.tolist()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The fields of the LS-DYNA cards that SheetMorph reads: the only place with their positions.
+"""The fields of the LS-DYNA cards that SheetMorph reads; all positions are defined here.
 
-All fields of a card have one width, but for coordinates. Widths depend on the format: standard,
+All fields of a card have one width, except coordinates. The widths depend on the format: standard,
 `i10=y`, `long=y`.
 """
 
@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True)
 class Widths:
-    """Characters of a field: of ids in nodes and elements, of all others, of coordinates."""
+    """Field widths in characters: ids in nodes and elements, other fields, coordinates."""
 
     label: int
     other: int
@@ -24,22 +24,28 @@ STANDARD, TEN, LONG = Widths(8, 10, 16), Widths(10, 10, 16), Widths(20, 20, 20)
 
 @dataclass(frozen=True)
 class Field:
-    """A field, or several side by side. card: of the keyword, or of the element, from 0, titles
-    and cards of an `_ID` left out; at: its number in the card, from 0; count: how many fields."""
+    """A field, or several adjacent fields.
+
+    card is that of the keyword or element from 0, without titles and `_ID` cards. at is the field
+    number in the card from 0. count is the number of fields.
+    """
 
     card: int
     at: int
     count: int = 1
 
 
-# Cards whose fields are as wide as ids of nodes and elements; all others are as wide as others.
+# Fields of these cards are as wide as ids of nodes and elements.
 NODE = {"id": Field(0, 0), "point": Field(0, 1, 3)}
 
 
 @dataclass(frozen=True)
 class Element:
-    """kind: what it is; nodes: their place; part: its place, None if the element has none;
-    options: how many cards each of them adds."""
+    """An element type.
+
+    kind is its kind and nodes the location of its nodes. part is the location of its part, or None.
+    options maps each option to the number of cards that it adds.
+    """
 
     kind: str
     nodes: Field
@@ -68,7 +74,7 @@ ELEMENTS = {
     "SEATBELT": Element("line", Field(0, 2, 2)),
     "PLOTEL": Element("line", Field(0, 1, 2), part=None),
 }  # fmt: skip
-# Solids with their nodes in cards of their own, ten a card.
+# Solids with their nodes in separate cards, ten per card.
 SOLID_NODES = Field(1, 0, 10)
 CARDS: dict[str, dict[str, Field]] = {
     "CONSTRAINED_SPOTWELD": {"nodes": Field(0, 0, 2)},
@@ -80,7 +86,7 @@ CARDS: dict[str, dict[str, Field]] = {
     "CONSTRAINED_NODE_SET": {"id": Field(0, 0), "set": Field(0, 0)},
     "CONSTRAINED_GENERALIZED_WELD": {"id": Field(0, 0), "set": Field(0, 0)},
     "DEFINE_COORDINATE_NODES": {"id": Field(0, 0), "nodes": Field(0, 1, 3)},
-    "SET": {"id": Field(0, 0), "members": Field(1, 0, 8)},  # and so on in every further card
+    "SET": {"id": Field(0, 0), "members": Field(1, 0, 8)},  # continued in every further card
     "PART": {"id": Field(0, 0), "section": Field(0, 1), "material": Field(0, 2)},
     "SECTION_SHELL": {
         "id": Field(0, 0), "points": Field(0, 3), "angles": Field(0, 6), "thickness": Field(1, 0),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a sheet moves at some of its nodes and triangles, and what is carried along there."""
+"""Motion of a sheet at its nodes and triangles, and of everything attached there."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ import numpy as np
 
 from ..arrays import Floats, Ints
 
-# Of the nodes that hold a group, so many nearest ones carry each of its nodes.
+# Number of nearest attachment nodes that carry each node of a group.
 _NEAREST = 12
 
 
 class Motion:
-    """A sheet before and after: (n, 3) positions rest and moved, (m, 3) triangles.
+    """A sheet before and after: positions rest and moved (n, 3), and triangles (m, 3).
 
-    rows: (k,) those of its nodes whose rotations are asked for.
+    rows (k,) are the nodes for which rotations are computed.
     """
 
     def __init__(self, rest: Floats, moved: Floats, triangles: Ints, rows: Ints):
@@ -29,13 +29,15 @@ class Motion:
         self._turns = self._all_turns(len(rows))
 
     def turns(self, rows: Ints) -> Floats:
-        """(k, 3, 3) the rotation of the sheet around some of its nodes: the best of the edges and
-        normals of the triangles there."""
+        """Return the rotation (k, 3, 3) of the sheet around some of its nodes.
+
+        It is the best fit to the edges and normals of the adjacent triangles.
+        """
         found: Floats = self._turns[self._place[rows]]
         return found
 
     def stays(self, rows: Ints) -> bool:
-        """Whether no triangle at some nodes moves at all."""
+        """Return whether no triangle at these nodes moves."""
         return not self._is_near[rows].any()
 
     def _all_turns(self, count: int) -> Floats:
@@ -56,7 +58,7 @@ class Motion:
 
 
 def _normals(points: Floats, triangles: Ints) -> Floats:
-    """(m, 3) normals as long as the square root of twice the area."""
+    """Return normals (m, 3) with the square root of twice the area as their length."""
     one = points[triangles[:, 1]] - points[triangles[:, 0]]
     two = points[triangles[:, 2]] - points[triangles[:, 0]]
     normal = np.cross(one, two)
@@ -67,7 +69,7 @@ def _normals(points: Floats, triangles: Ints) -> Floats:
 
 
 def _rotations(sums: Floats) -> Floats:
-    """(k, 3, 3) the rotations nearest to sums of b a^T."""
+    """Return the rotations (k, 3, 3) nearest to sums of b a^T."""
     left, _, right = np.linalg.svd(sums)
     sign = np.where(np.linalg.det(left @ right) < 0.0, -1.0, 1.0)
     left = left.copy()
@@ -76,8 +78,10 @@ def _rotations(sums: Floats) -> Floats:
 
 
 def rigid_motion(rest: Floats, moved: Floats) -> tuple[Floats, Floats] | None:
-    """Rotation (3, 3) and shift (3,) that carry (k, 3) points to others best; None if they lie on a
-    line, which leaves the rotation open."""
+    """Return rotation (3, 3) and shift (3,) that map points (k, 3) best to others.
+
+    Return None for collinear points, whose rotation is not unique.
+    """
     if len(rest) < 3:
         return None
     middle, other = rest.mean(axis=0), moved.mean(axis=0)
@@ -89,8 +93,10 @@ def rigid_motion(rest: Floats, moved: Floats) -> tuple[Floats, Floats] | None:
 
 
 def rigid_along(motion: Motion, held: Ints) -> tuple[Floats, Floats]:
-    """Rotation (3, 3) and shift (3,) of what a sheet holds at some of its nodes (j,), j >= 1: what
-    the places of the nodes leave open is turned as the sheet around them."""
+    """Return rotation (3, 3) and shift (3,) of a body attached to sheet nodes (j,), j >= 1.
+
+    If the node positions do not define the rotation, the rotation of the sheet completes it.
+    """
     rest, moved = motion.rest[held], motion.moved[held]
     found = rigid_motion(rest, moved)
     if found is not None:
@@ -105,21 +111,21 @@ def rigid_along(motion: Motion, held: Ints) -> tuple[Floats, Floats]:
 
 
 def _shortest_turn(start: Floats, end: Floats) -> Floats:
-    """(3, 3) the smallest rotation from one unit vector to another; any, if they are opposite."""
+    """Return the smallest rotation (3, 3) between unit vectors; any if they are opposite."""
     half: Floats = start + end
     if np.linalg.norm(half) < 1e-9:
         across = np.zeros(3)
         across[np.abs(start).argmin()] = 1.0
         half = across - float(across @ start) * start
     half = half / np.linalg.norm(half)
-    # Two reflections make a rotation, by twice the angle from start to half.
+    # The product of two reflections is a rotation by twice the angle from start to half.
     mirrors: list[Floats] = [np.eye(3) - 2.0 * np.outer(a, a) for a in (start, half)]
     found: Floats = mirrors[1] @ mirrors[0]
     return found
 
 
 def blended(motion: Motion, held: Ints, points: Floats) -> Floats:
-    """(k, 3) places of points that go along with the sheet around some of its nodes (j,)."""
+    """Return the positions (k, 3) of points that follow the sheet around nodes (j,)."""
     turns = motion.turns(held)
     anchors, targets = motion.rest[held], motion.moved[held]
     found = np.empty_like(points)
@@ -136,7 +142,7 @@ def blended(motion: Motion, held: Ints, points: Floats) -> Floats:
 
 
 def on_triangle(motion: Motion, triangle: int, barycentric: Floats, point: Floats) -> Floats:
-    """(3,) the place of a point that goes along with a triangle, from its nearest point on it."""
+    """Return the position (3,) of a point that follows a triangle from its foot on it."""
     corners = motion.triangles[triangle]
     foot, target = barycentric @ motion.rest[corners], barycentric @ motion.moved[corners]
     turn = _rotations(motion.turns(corners).sum(axis=0)[None])[0]
@@ -145,7 +151,7 @@ def on_triangle(motion: Motion, triangle: int, barycentric: Floats, point: Float
 
 
 def turn_at(places: Sequence[tuple[Motion, int]]) -> Floats:
-    """(3, 3) the rotation of sheets at some of their triangles, in the middle."""
+    """Return the mean rotation (3, 3) of sheets at some of their triangles."""
     turns = [motion.turns(motion.triangles[triangle]).sum(axis=0) for motion, triangle in places]
     found: Floats = _rotations(np.sum(turns, axis=0)[None])[0]
     return found

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which format a deck is in, by what stands in it, where the name of the file says another one."""
+"""Detection of a deck's format from its content, for files with a wrong suffix."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 from ..errors import FileError
 
-# By format: how people call it, a name ending of its files, and lines that no other format has.
+# For each format its usual name, a file suffix, and lines that no other format has.
 _FLAGS = re.IGNORECASE | re.MULTILINE
 _FORMS = {
     "Nastran": (
@@ -48,9 +48,9 @@ _CHECKED = 1 << 20
 
 
 def require_form(path: Path, data: bytes, form: str) -> None:
-    """Nothing if a file can be of the format that its name says.
+    """Check that a file can have the format of its suffix.
 
-    Raises FileError if nothing of that format stands in it, but something of another one.
+    Raises FileError if it has no line of that format but lines of another one.
     """
     own = re.compile(_FORMS[form][2], _FLAGS)
     if not data.strip() or own.search(data[:_CHECKED]) or own.search(data):

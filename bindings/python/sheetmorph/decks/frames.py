@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Coordinate systems that nodes are written in: rectangular, cylindrical, spherical, in chains."""
+"""Coordinate systems of nodes: rectangular, cylindrical, spherical, and nested."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Locate = Callable[[int], Floats]
 
 
 class FrameError(ValueError):
-    """A coordinate system that cannot be worked out; ``frame``: its number."""
+    """A coordinate system that cannot be computed; ``frame`` is its number."""
 
     def __init__(self, frame: int, what: str):
         super().__init__(what)
@@ -26,8 +26,8 @@ class FrameError(ValueError):
 class Frame:
     """A coordinate system.
 
-    kind: "R", "C" or "S"; nodes: ids of its three nodes, or None and then points: (3, 3) its
-    origin, a point on its z axis and one in its xz plane, in the system `reference`; angles are
+    kind is "R", "C" or "S". It is defined by the ids of three nodes, or by points (3, 3) in the
+    system `reference`: the origin, a point on the z axis and one in the xz plane. Angles are in
     degrees.
     """
 
@@ -38,9 +38,9 @@ class Frame:
 
 
 class Frames:
-    """The coordinate systems of a deck, with its nodes at some places.
+    """The coordinate systems of a deck for given node positions.
 
-    locate: the position (3,) in the basic system of the node with an id.
+    locate returns the position (3,) of a node in the basic system, by its id.
     """
 
     def __init__(self, frames: dict[int, Frame], locate: Locate):
@@ -50,7 +50,7 @@ class Frames:
         self._open: list[int] = []
 
     def axes(self, number: int) -> tuple[Floats, Floats]:
-        """Origin (3,) and axes (3, 3), one a row, in the basic system. Raises FrameError."""
+        """Return origin (3,) and axes (3, 3), as rows, in the basic system. Raises FrameError."""
         if number == 0:
             return np.zeros(3), np.eye(3)
         if number not in self._known:
@@ -74,14 +74,17 @@ class Frames:
         return self.to_basic(frame.reference, frame.points)
 
     def to_basic(self, number: int, values: Floats) -> Floats:
-        """Positions (n, 3) in the basic system of (n, 3) coordinates in a system."""
+        """Convert coordinates (n, 3) in a system to positions (n, 3) in the basic system."""
         if number == 0:
             return values
         origin, axes = self.axes(number)
         return origin + _flat(self._frames[number].kind, values) @ axes
 
     def from_basic(self, number: int, points: Floats, near: Floats) -> Floats:
-        """Coordinates (n, 3) in a system of (n, 3) positions; angles nearest to those of `near`."""
+        """Convert positions (n, 3) to coordinates (n, 3) in a system.
+
+        Angles are chosen closest to those of `near`.
+        """
         if number == 0:
             return points
         origin, axes = self.axes(number)
@@ -119,7 +122,7 @@ def _round(kind: str, flat: Floats, near: Floats) -> Floats:
     radius = np.hypot(flat[:, 0], flat[:, 1])
     turn = np.degrees(np.arctan2(flat[:, 1], flat[:, 0]))
     if kind == "C":
-        # On the axis every angle will do: the one of the file stays.
+        # On the axis the angle is arbitrary, so the one in the file stays.
         turn = np.where(radius > 0.0, _nearest(turn, near[:, 1]), near[:, 1])
         return np.stack([radius, turn, flat[:, 2]], axis=1)
     tilt = np.degrees(np.arctan2(radius, flat[:, 2]))

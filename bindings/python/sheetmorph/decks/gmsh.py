@@ -22,7 +22,7 @@ from .numbers import LARGEST
 
 SUFFIXES = (".msh",)
 _ROOM = 24
-# Types of elements: kind and number of nodes.
+# Element types: kind and number of nodes.
 _TYPES = {
     1: ("line", 2), 2: ("shell", 3), 3: ("shell", 4), 4: ("solid", 4), 5: ("solid", 8),
     6: ("solid", 6), 7: ("solid", 5), 8: ("line", 3), 9: ("shell", 6), 10: ("shell", 9),
@@ -33,7 +33,7 @@ _MOST = 10**9
 
 
 def read_gmsh(path: Path, opener: Opener) -> Deck:
-    """A mesh. Raises FileError."""
+    """Read a mesh. Raises FileError."""
     raw = Raw("Gmsh", mark="E")
     Included(raw, path, opener).first(path)
     reader = _Binary(raw) if _is_binary(raw) else _Text(raw)
@@ -45,7 +45,7 @@ def read_gmsh(path: Path, opener: Opener) -> Deck:
 
 
 def section_of(raw: Raw, name: str) -> bytes:
-    """What stands between $NAME and $EndNAME, nothing where they are not there."""
+    """Return the text between $NAME and $EndNAME, empty if they are missing."""
     found = raw.texts[0].matches(rb"^\$(End)?" + name.encode() + rb"\b")
     return raw.texts[0].data[found[0].end() : found[1].start()] if len(found) > 1 else b""
 
@@ -87,7 +87,7 @@ def _is_binary(raw: Raw) -> bool:
 
 
 class _Text:
-    """A mesh in text."""
+    """A text mesh."""
 
     def __init__(self, raw: Raw):
         self.raw = raw
@@ -109,7 +109,7 @@ class _Text:
                     self._nodes()
                 else:
                     self._elements()
-                del self._words  # what comes next has none, or its own
+                del self._words  # the next section has its own words
         for mark in self._text.matches(rb"^\$(NodeData|ElementData|ElementNodeData|Periodic)\b"):
             line = self._text.line_of(mark.start())
             card = f"${mark.group(1).decode()}"
@@ -132,7 +132,7 @@ class _Text:
         return self.raw.error((0, self._text.line_of(at)), "numbers are missing", "export it again")
 
     def _integers(self, count: int) -> Ints:
-        """The next whole numbers."""
+        """Return the next integers."""
         begins, ends = self._words
         if count < 0 or self._at + count > len(begins):
             raise self._cut()
@@ -150,7 +150,7 @@ class _Text:
         return found
 
     def _reals(self, count: int, each: int) -> tuple[Floats, Ints, Ints]:
-        """Values, begins, widths (count, 3) of the next points of `each` numbers."""
+        """Return values, begins, widths (count, 3) of the next points with `each` numbers."""
         begins, ends = self._words
         if count < 0 or self._at + count * each > len(begins):
             raise self._cut()
@@ -160,7 +160,7 @@ class _Text:
         return self._points(one, two)
 
     def _points(self, one: Ints, two: Ints) -> tuple[Floats, Ints, Ints]:
-        """Values, begins, widths (n, 3) of numbers from places (n, 3) to others."""
+        """Return values, begins, widths (n, 3) of numbers between offsets (n, 3)."""
         values, widths = np.empty(one.shape), np.empty(one.shape, dtype=np.uint8)
         for part in chunks(len(one)):
             for axis in range(3):
@@ -202,7 +202,7 @@ class _Text:
         return count
 
     def _interleaved(self, count: int, more: int) -> None:
-        """Lines with an id and a point."""
+        """Read lines with an id and a point."""
         begins, ends = self._words
         each = 4 + more
         if not 0 <= count * each <= len(begins) - self._at:
@@ -233,7 +233,7 @@ class _Text:
         return self.raw.error((0, self._text.line_of(at)), what, "export elements up to order 2")
 
     def _put(self, kind: int, table: Ints, tags: Ints, lines: Ints) -> None:
-        """Elements: an id and nodes a row."""
+        """Add elements from rows with an id and nodes."""
         name, count = _TYPES[kind]
         if len(table):
             nodes = small(table[:, 1 : count + 1])
@@ -246,7 +246,7 @@ class _Text:
             )  # fmt: skip
 
     def _old_elements(self, begin: int, end: int) -> None:
-        """Lines with an id, a type, tags and nodes."""
+        """Read lines with an id, a type, tags and nodes."""
         text = self._text
         first, last = text.line_of(begin) + 1, text.line_of(end)
         self._words = words(text, begin, int(text.ends[min(first, len(text) - 1)]))
@@ -267,7 +267,7 @@ class _Text:
             self._put(kind, table, tags, lines)
 
     def _some_elements(self, found: dict[int, list[tuple[Ints, Ints, Ints]]]) -> int:
-        """Sort the elements of some lines by type; how many there are."""
+        """Sort the elements of some lines by type, and return their number."""
         begins = self._words[0]
         if not len(begins):
             return 0
@@ -287,7 +287,7 @@ class _Text:
                 raise self._cut()
             nodes = (heads[rows] + 3 + tags[rows])[:, None] + np.arange(_TYPES[kind][1])
             table = np.concatenate([numbers[heads[rows]][:, None], numbers[nodes]], axis=1)
-            # The second tag is the entity of the geometry, as in version 4.
+            # The second tag is the geometric entity, as in version 4.
             first = numbers[np.minimum(heads[rows] + 4, len(numbers) - 1)]
             tag = np.where(tags[rows] > 1, first, 0)
             self.groups.add(_TYPES[kind][0], tag, numbers[heads[rows] + 3])
@@ -297,7 +297,7 @@ class _Text:
 
 
 class _Binary(_Text):
-    """A binary mesh, of version 2 or 4.1, of little-endian machines."""
+    """A binary mesh of version 2 or 4.1 from a little-endian machine."""
 
     def read(self) -> None:
         self._cursor = _format(self.raw).end

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Physical groups of a Gmsh mesh: of surfaces as elements, of curves and points as nodes."""
+"""Physical groups of a Gmsh mesh: surfaces as element sets, curves and points as node sets."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ Entity = tuple[int, int]  # dimension and tag
 
 
 class PhysicalGroups:
-    """Gathers which entities of the geometry are in which group."""
+    """Collector of the geometric entities in each group."""
 
     def __init__(self) -> None:
         self._groups: dict[Entity, set[int]] = {}
 
     def add(self, kind: str, entities: Ints, groups: Ints) -> None:
-        """Elements of a kind, their entities and groups (n,), 0 for none, as version 2 has them."""
+        """Add elements of a kind with their entities and groups (n,), 0 for none (version 2)."""
         pairs = np.unique(np.stack([entities, groups], axis=1), axis=0)
         for entity, group in pairs.tolist():
             if entity > 0 and group > 0:
                 self._groups.setdefault((_DIMENSIONS[kind], entity), set()).add(group)
 
     def read_entities(self, text: bytes, version: float) -> None:
-        """What $Entities of version 4 says; a section that is none says nothing."""
+        """Read $Entities of version 4; an invalid section is ignored."""
         words = text.split()
         try:
             counts, at = [int(word) for word in words[:4]], 4
@@ -41,7 +41,7 @@ class PhysicalGroups:
             return
 
     def _entity(self, words: list[bytes], at: int, form: tuple[int, float]) -> int:
-        """Take one entity; where the next one begins."""
+        """Read one entity and return the start of the next one."""
         dimension, version = form
         place = at + 1 + (3 if dimension == 0 and version > 4.0 else 6)
         end = place + 1 + int(words[place])
@@ -51,7 +51,7 @@ class PhysicalGroups:
         return end if dimension == 0 else end + 1 + int(words[end])
 
     def sets(self, raw: Raw, names: bytes) -> Iterator[NamedSet]:
-        """The groups with a name, of the elements that were read; names: $PhysicalNames."""
+        """Yield the named groups of the elements; names has $PhysicalNames."""
         for mark in _NAME.finditer(names):
             dimension, group = int(mark.group(1)), int(mark.group(2))
             tags = [

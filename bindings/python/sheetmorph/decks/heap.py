@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Large arrays that are done with go back to the system, also after many of them."""
+"""Return of large freed arrays to the operating system."""
 
 from __future__ import annotations
 
 import ctypes
 from functools import cache
 
-# Of glibc's malloc.h. Left alone, it raises the size from which on memory is given back to that of
-# the largest array freed so far, and what deck readers leave behind then stays with the process.
+# From glibc's malloc.h. By default, glibc raises this threshold to the size of the largest freed
+# array, and memory freed by the deck readers then stays with the process.
 _M_MMAP_THRESHOLD, _SIZE = -3, 1 << 20
 
 
 @cache
 def give_back_large_arrays() -> None:
-    """Sets it once; nothing where the C library has no such setting."""
+    """Fix the threshold once; do nothing if the C library has no such setting."""
     try:
         ctypes.CDLL(None).mallopt(_M_MMAP_THRESHOLD, _SIZE)
     except (AttributeError, OSError, TypeError):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The files that a deck includes: found, read once, and where they go when the deck is written."""
+"""The includes of a deck: search, reading, and output paths."""
 
 from __future__ import annotations
 
@@ -18,8 +18,7 @@ _DEEPEST = 50
 class Included:
     """The files of a deck while it is read.
 
-    folders: where an include is looked for, besides the folders of the deck and of the file that
-    names it.
+    folders are searched for includes besides the folders of the deck and of the including file.
     """
 
     def __init__(self, raw: Raw, path: Path, opener: Opener):
@@ -30,16 +29,16 @@ class Included:
         self.folders: list[Path] = []
 
     def first(self, path: Path) -> int:
-        """Read the deck's own file; the index of its text. Raises FileError if it is empty."""
+        """Read the first file and return the index of its text. Raises FileError if it is empty."""
         file = self._read(path)
         if not self._raw.texts[file].data:
             raise FileError(path, "the file is empty", "export it again")
         return file
 
     def add(self, name: str, place: tuple[int, int]) -> int:
-        """Read the file that is named at a place (file, line); the index of its text.
+        """Read the file named at a place (file, line) and return the index of its text.
 
-        Raises FileError if it is not there, includes itself, or lies outside the deck's folder.
+        Raises FileError if it is missing or includes itself.
         """
         path = self._found(name, place)
         if path.resolve() in self._stack:
@@ -54,15 +53,15 @@ class Included:
         return self._read(path)
 
     def add_folder(self, name: str) -> None:
-        """Look for includes in a folder too, named from that of the deck."""
+        """Add a search folder, relative to the deck."""
         self.folders += [self._root / one for one in _names_of(name.strip().replace("\\", "/"))]
 
     def enter(self, file: int) -> None:
-        """What is added from here on stands in this file, until leave()."""
+        """Make this file the including one, until leave()."""
         self._stack.append(self._raw.texts[file].path.resolve())
 
     def leave(self) -> None:
-        """Back in the file that includes this one."""
+        """Return to the file that includes this one."""
         self._stack.pop()
 
     def _read(self, path: Path) -> int:
@@ -85,10 +84,9 @@ class Included:
 
 
 def _names_of(name: str) -> list[str]:
-    """What a name in a deck may stand for; its bytes were read as Latin-1.
+    """Return the possible meanings of a file name in a deck, whose bytes were read as Latin-1.
 
-    Text in UTF-8 counts first, then Latin-1; the disk may have the name in either, and in UTF-8
-    with accents apart from their letters.
+    UTF-8 precedes Latin-1. The disk can use either, and UTF-8 also with decomposed accents.
     """
     found = [name]
     raw = name.encode("latin-1", "replace")
@@ -110,14 +108,14 @@ def _is_latin(name: str) -> bool:
 def _is_file(path: Path) -> bool:
     try:
         return path.is_file()
-    except (OSError, ValueError):  # a name too long, for example
+    except (OSError, ValueError):  # a name that is too long, for example
         return False
 
 
 def output_places(texts: Sequence[DeckText], out: Path) -> list[Path]:
-    """Where the files of a deck go if its first one is written as `out`: as they lie to each other.
+    """Return the output paths of a deck whose first file is `out`, with the same relative layout.
 
-    Raises FileError for an include that would come to lie outside the folder.
+    Raises FileError for an include outside the folder.
     """
     root = texts[0].path.parent.absolute()
     places = [out]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether joints hold: what elements tie together keeps its distance."""
+"""Checks of joints: connected nodes must keep their distance."""
 
 from __future__ import annotations
 
@@ -16,18 +16,21 @@ from .shells import Sheet
 from .welds import WeldGaps, weld_gaps
 
 _JOINTS = ("line", "rigid", "constraint", "weld")
-# A joint is broken by half its gap, by half the thickness of the sheet, or by this part of the
-# middle length of its edges, whichever is most. A rigid body is broken by what rounding to the
-# digits of its file cannot explain.
+# A joint is broken if it opens by more than the largest of these: half its gap, half the sheet
+# thickness, and this share of the median edge length. A rigid body is broken if the rounding in its
+# file does not explain the change.
 _HALF, _OF_EDGE = 0.5, 0.1
-# By how much rounding both its ends changes a distance at most, in units of the last digit.
+# Largest change of a distance by rounding both ends, in units of the last digit.
 _OF_ROUNDING = 3.0**0.5
 
 
 @dataclass(frozen=True)
 class Joint:
-    """A joint whose nodes changed their distance: where it stands, by how much (mm), and by how
-    much it may; is_rigid: whether it is a rigid body, which may not stretch at all."""
+    """A joint whose nodes changed their distance.
+
+    place is its card, change the largest change and limit the admissible one, both in mm. is_rigid
+    marks a rigid body, which must not stretch at all.
+    """
 
     place: Place
     change: float
@@ -36,14 +39,17 @@ class Joint:
 
     @property
     def is_broken(self) -> bool:
-        """Whether it came apart."""
+        """Whether the joint opened too far."""
         return self.change > self.limit
 
 
 @dataclass(frozen=True)
 class Joints:
-    """count: how many joints have a node that moved, or are welds near a sheet; worst: of them
-    (None if there is none); welds: how far each is from its sheets."""
+    """The joints of a deck.
+
+    count is the number of joints with a moved node and of welds near a sheet. worst is the worst of
+    them, or None. welds has the distances from the sheets.
+    """
 
     count: int
     worst: Joint | None
@@ -52,9 +58,9 @@ class Joints:
 
 
 def joints_of(deck: Deck, sheet: Sheet, positions: Floats, limit: float | None = None) -> Joints:
-    """How the joints of a deck hold with its nodes at (n, 3) positions.
+    """Return the state of the joints with the nodes at positions (n, 3).
 
-    limit: mm, instead of the one by gap, thickness and edges.
+    limit, mm, replaces the one from gap, thickness and edges.
     """
     moved = (positions != deck.points).any(axis=1)
     least = _least(deck, sheet)
@@ -65,7 +71,7 @@ def joints_of(deck: Deck, sheet: Sheet, positions: Floats, limit: float | None =
     found: dict[tuple[int, int, str, int], Joint] = {}
 
     def add(one: Joint) -> None:
-        # A weld between two nodes is both an element and a gap: it is one joint.
+        # A weld between two nodes is both an element and a gap, but only one joint.
         key = (one.place.file, one.place.line, one.place.card, one.place.number)
         old = found.get(key)
         if old is None or one.change * old.limit > old.change * one.limit:
@@ -90,8 +96,10 @@ def joints_of(deck: Deck, sheet: Sheet, positions: Floats, limit: float | None =
 def _stretches(
     deck: Deck, block: Elements, positions: Floats, moved: Bools
 ) -> Iterator[tuple[int, float, float]]:
-    """Rows of rigid bodies with a node that moved, the largest change of a distance between two
-    of its nodes, and by how much rounding may change it, mm."""
+    """Yield rows of rigid bodies with a moved node, with change and rounding error, mm.
+
+    The change is the largest of a distance between two nodes.
+    """
     index = np.where(block.nodes == 0, -1, deck.find(block.nodes))
     there = index >= 0
     is_moved = (moved[np.maximum(index, 0)] & there).any(axis=1) & (there.sum(axis=1) > 1)
@@ -107,8 +115,10 @@ def _stretches(
 
 
 def _anchors(points: Floats) -> list[int]:
-    """Up to four of some points (n, 3) as far apart as can be: a body that keeps its distances
-    from them keeps its shape."""
+    """Return up to four of points (n, 3) that are far apart.
+
+    A body that keeps its distances from them keeps its shape.
+    """
     anchors = [0]
     away = points - points[0]
     for _ in range(3):
@@ -117,7 +127,7 @@ def _anchors(points: Floats) -> list[int]:
         if far in anchors or not size[far] > 0.0:
             break
         anchors.append(far)
-        # What is left is the part across the line, then the plane, through the anchors so far.
+        # The remainder is perpendicular to the line, then to the plane, through the anchors.
         axis = away[far] / size[far]
         away = away - np.outer(away @ axis, axis)
     return anchors
@@ -136,8 +146,10 @@ def _least(deck: Deck, sheet: Sheet) -> float:
 def _changes(
     deck: Deck, block: Elements, positions: Floats, moved: Bools
 ) -> tuple[Ints, Floats, Floats]:
-    """Rows of elements with a node that moved, the largest change of a distance from the first node
-    to another, and that distance at rest."""
+    """Return rows of elements with a moved node, the largest change, and the distance at rest.
+
+    Distances are measured from the first node to all others.
+    """
     index = np.where(block.nodes == 0, -1, deck.find(block.nodes))
     there = index >= 0
     safe = np.maximum(index, 0)
@@ -146,7 +158,7 @@ def _changes(
         none = np.empty(0)
         return rows, none, none
     index, there = safe[rows], there[rows]
-    # The first that is there leads.
+    # The first existing node is the reference.
     first = index[np.arange(len(rows)), there.argmax(axis=1)]
     before = np.linalg.norm(deck.points[index] - deck.points[first][:, None], axis=2)
     after = np.linalg.norm(positions[index] - positions[first][:, None], axis=2)

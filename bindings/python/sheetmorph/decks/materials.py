@@ -5,15 +5,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-# Densities of solids in t/mm3, and what others are to it: kg/mm3 with GPa and ms, g/mm3 with MPa
-# and ms. The square of the speed is in (mm/s)2 with the first, in (m/s)2 with the others.
+# Range of densities, and factors for density and squared speed, in three unit systems: t/mm3 with
+# MPa and s, kg/mm3 with GPa and ms, g/mm3 with MPa and ms. The squared speed of sound is in (mm/s)2
+# with the first and in (m/s)2 with the others.
 _UNITS = ((1e-10, 3e-8, 1.0, 1e-6), (1e-7, 3e-5, 1e-3, 1.0), (1e-4, 3e-2, 1e-6, 1.0))
 _SLOWEST, _FASTEST = 100.0, 20000.0
 
 
 @dataclass(frozen=True)
 class Material:
-    """name: as people are told it; density: t/mm3; sound: its speed in a sheet of it, m/s."""
+    """A material: display name, density in t/mm3, and speed of sound in a sheet in m/s."""
 
     name: str
     density: float
@@ -25,7 +26,7 @@ STEEL = Material("steel", 7.85e-9, 5420.0)
 
 @dataclass
 class Materials:
-    """What a deck says of materials while it is read. A key is what its sections call it by."""
+    """The materials of a deck while it is read; keys are the ids in its sections."""
 
     young: dict[str, float] = field(default_factory=dict)
     poisson: dict[str, float] = field(default_factory=dict)
@@ -34,7 +35,7 @@ class Materials:
     of_property: dict[int, str] = field(default_factory=dict)
 
     def of(self, number: int) -> Material:
-        """The material of a property, steel if the deck does not tell it in millimetres."""
+        """Return the material of a property, or steel if its units do not fit millimetres."""
         key = self.of_property.get(number, "")
         young, density = self.young.get(key, 0.0), self.density.get(key, 0.0)
         poisson = self.poisson.get(key, 0.0)

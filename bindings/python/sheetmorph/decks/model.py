@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A deck as all formats give it: nodes, where their numbers stand, elements."""
+"""The common data model of all deck formats: nodes, their locations in the file, elements."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from ..errors import FileError
 from .materials import Materials
 from .text import DeckText
 
-# How the number of a field is put back: in its columns; between commas; in place of a word; as
-# eight bytes; in its columns, whatever of them was there (tabs).
+# How a number is written back: in its columns, between commas, in place of a word, as eight bytes,
+# or in its full columns whatever part of them existed (tabs).
 FIXED, FREE, WORD, BINARY, PADDED = range(5)
 Opener = Callable[[Path], bytes]
 
@@ -24,9 +24,9 @@ Opener = Callable[[Path], bytes]
 class Elements:
     """Elements of one kind of card.
 
-    name: of the card; kind: "shell", "solid", "line", "rigid", "constraint" (equations between
-    nodes, which are no rigid body), "mass", "weld" or "frame"; ids, properties: (m,); nodes:
-    (m, k) node ids, 0 where there is none; file: index of the deck's text; lines: (m,) from 0.
+    kind is "shell", "solid", "line", "rigid", "constraint" (equations between nodes, not a rigid
+    body), "mass", "weld" or "frame". ids and properties are (m,). nodes (m, k) has node ids, 0
+    where there is none. file is the index of the text, and lines (m,) count from 0.
     """
 
     name: str
@@ -40,14 +40,27 @@ class Elements:
 
 @dataclass(frozen=True)
 class Block:
-    """Nodes of one file, as they stand there.
+    """Nodes of one file with their locations.
 
-    file: index of the text; lines: (n,) from 0; ids: (n,); values: (n, 3) as they are written;
-    begins: (n, 3) offsets of their fields; widths: (n, 3) how much of each field is there; room:
-    how many characters a number may take; kind: FIXED, FREE, WORD, BINARY or PADDED; systems: (n,)
-    number of the coordinate system each is written in, 0 the basic one; leads: by row and axis, for
-    fields that the line is too short for, how many blanks (FIXED) or commas (FREE) go before them
-    where all others are written in full.
+    Attributes
+    ----------
+    file : int
+        Index of the text.
+    lines, ids : array (n,)
+        Lines from 0, and node ids.
+    values : array (n, 3)
+        Numbers as written.
+    begins, widths : array (n, 3)
+        Offsets of the fields, and their existing widths.
+    room : int
+        Largest number of characters.
+    kind : int
+        FIXED, FREE, WORD, BINARY or PADDED.
+    systems : array (n,) or None
+        Number of the coordinate system, 0 for the basic one.
+    leads : dict
+        Row and axis to the number of blanks (FIXED) or commas (FREE) before a field that the line
+        is too short for, if all fields before it are written in full.
     """
 
     file: int
@@ -64,7 +77,7 @@ class Block:
 
 @dataclass(frozen=True)
 class Place:
-    """A card that people are told of: its name, id (0 if it has none), file and line from 0."""
+    """A card for messages: its name, id (0 if it has none), file, and line from 0."""
 
     card: str
     number: int
@@ -75,8 +88,11 @@ class Place:
 
 @dataclass(frozen=True)
 class NamedSet:
-    """A set: kind: "nodes", "elements", "properties" or "" where the deck does not say; ids of
-    those; blocks: in which of Raw.elements the ids of elements count, in all if there is none."""
+    """A set of nodes, elements or properties.
+
+    kind is "nodes", "elements", "properties", or "" if the deck does not say. blocks limits element
+    ids to some of Raw.elements; empty means all.
+    """
 
     name: str
     kind: str
@@ -86,13 +102,24 @@ class NamedSet:
 
 @dataclass
 class Raw:
-    """What a reader gathers.
+    """The data that a reader collects.
 
-    mark: before exponents; wins: "last" where the last definition of a node counts, "same" where
-    several must be equal; locked: nodes that are not to be moved, with the reason; thickness: of
-    shells by property; names: of properties, as people know them; materials: of these; placing:
-    cards that change where nodes are once they are read; cut: sentences on what is missing, as if
-    the file ended too early.
+    Attributes
+    ----------
+    mark : str
+        Text before exponents.
+    wins : str
+        "last" if the last definition of a node counts, "same" if all must be equal.
+    locked : dict
+        Nodes that must not move, with the reason.
+    thickness, names : dict
+        Thickness, mm, and display name by property.
+    materials : Materials
+        Materials of the properties.
+    placing : list of Place
+        Cards that change node positions after they are read.
+    cut : list of str
+        Sentences on missing data, as in a truncated file.
     """
 
     form: str
@@ -112,20 +139,22 @@ class Raw:
     sets: list[NamedSet] = field(default_factory=list)
 
     def miss(self, file: int, what: str, line: int | None = None) -> None:
-        """Remember that something is missing, in a file or at one of its lines from 0."""
+        """Record that something is missing in a file, or at one of its lines from 0."""
         place = self.texts[file].name + ("" if line is None else f", line {line + 1}")
         self.cut.append(f"{place}: {what}")
 
     def error(self, place: tuple[int, int], what: str, todo: str = "correct the card") -> FileError:
-        """A FileError at (file, line)."""
+        """Return a FileError at (file, line)."""
         return self.texts[place[0]].error(place[1], what, todo)
 
 
 @dataclass(frozen=True)
 class Table:
-    """The nodes of a deck, each once: ids (n,), values (n, 3) as written, systems, files and
-    lines (n,); rows: per block the node (k,) of each of its lines, -1 where another
-    definition counts."""
+    """The unique nodes of a deck.
+
+    ids, systems, files and lines are (n,), and values (n, 3) as written. rows has for each block
+    the node (k,) of each of its lines, -1 where another definition counts.
+    """
 
     ids: Ints
     values: Floats
@@ -136,7 +165,10 @@ class Table:
 
 
 def table_of(raw: Raw) -> Table:
-    """The nodes of a deck. Raises FileError for what is no number, or defined twice."""
+    """Return the nodes of a deck.
+
+    Raises FileError for invalid numbers and conflicting definitions.
+    """
     for block in raw.blocks:
         _check(raw, block)
     if not raw.blocks:
@@ -161,7 +193,7 @@ def table_of(raw: Raw) -> Table:
             found = tuple(some[keep] for some in found)
     order = np.lexsort((found[4], found[3])) if len(blocks) > 1 else np.arange(0)
     if (np.diff(order) != 1).any():
-        # In the order of the file, whatever way each of them is written.
+        # In the order of the file, independent of the form of each card.
         found = tuple(some[order] for some in found)
         back = np.empty(len(order) + 1, dtype=np.int32)
         back[order], back[-1] = np.arange(len(order)), -1
@@ -195,7 +227,10 @@ def _check(raw: Raw, block: Block) -> None:
 
 
 def _without_doubles(raw: Raw, found: tuple[Array, ...], order: Ints) -> tuple[Ints, Ints]:
-    """Which rows count, and for every row the number of the one that does, -1 if it is another."""
+    """Return the rows that count, and for every row the number of its counting row.
+
+    It is -1 if another definition replaces the row.
+    """
     ids, values, systems, files, lines = found
     starts = np.flatnonzero(np.diff(ids[order], prepend=ids[order][0] - 1) != 0)
     group = np.zeros(len(ids), dtype=np.int64)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Nastran bulk data: GRID cards and what hangs on them, in every layout."""
+"""Nastran bulk data: GRID cards and attached elements, in every layout."""
 
 from __future__ import annotations
 
@@ -28,23 +28,23 @@ from .placing import note_placing
 from .text import DeckText
 
 SUFFIXES = (".nas", ".bdf", ".dat", ".fem", ".blk", ".bulk", ".pch")
-# Shells in one line: how many nodes.
+# Shells on one line, with their number of nodes.
 PLAIN_SHELLS = {name: len(ELEMENTS[name][1]) for name in ("CTRIA3", "CTRIAR", "CQUAD4", "CQUADR")}
-_LAST = 72  # the column, from 0, of the field that names the line to go on in
+_LAST = 72  # column, from 0, of the field that names the continuation
 _FRAMES = frozenset(f"CORD{k}{kind}" for k in "12" for kind in "RCS")
 _KNOWN = frozenset({"GRID", "GRDSET", "MAT1", "PSHELL", "SET1", "SET3", *PLAIN_SHELLS, *_FRAMES})
 _OTHER = frozenset({*_KNOWN, *ELEMENTS, *STALE, *PLACING})
 
 
 def read_nastran(path: Path, opener: Opener) -> Deck:
-    """A deck of bulk data with its includes. Raises FileError."""
+    """Read a bulk data deck with its includes. Raises FileError."""
     reader = _Reader(Raw("Nastran", mark=""), path, opener)
     reader.read()
     return reader.deck()
 
 
 class _Reader:
-    """The state while a deck is read: where BEGIN BULK was, and what was found so far."""
+    """The state of the reader: the position of BEGIN BULK, and the data read so far."""
 
     def __init__(self, raw: Raw, path: Path, opener: Opener):
         self.raw = raw
@@ -71,7 +71,7 @@ class _Reader:
             self._check_last_card(file, text)
 
     def _check_last_card(self, file: int, text: DeckText) -> None:
-        """A card whose tenth field names a line to go on in, as the last line of a file."""
+        """Record a last line whose tenth field names a missing continuation."""
         for line in range(len(text) - 1, max(len(text) - 20, -1), -1):
             body = text.line(line).split("$", 1)[0].rstrip()
             if not body:
@@ -84,7 +84,7 @@ class _Reader:
             return
 
     def deck(self) -> Deck:
-        """The deck, once all is read."""
+        """Return the deck after all files are read."""
         for k, block in enumerate(self.raw.blocks):
             self.raw.blocks[k] = _with_systems(block, self._default_system)
         if self._generated:
@@ -104,7 +104,7 @@ class _Reader:
                 break
             line = text.line_of(mark.start(1))
             if line < at:
-                continue  # inside the name of an include over several lines
+                continue  # inside a file name that spans several lines
             if self._in_bulk:
                 self._cards(file, at, line)
             at = self._marked(file, line, mark.group(1).upper())
@@ -113,7 +113,7 @@ class _Reader:
         self._included.leave()
 
     def _marked(self, file: int, line: int, word: bytes) -> int:
-        """Take a line that is no card; the line behind it."""
+        """Read a line that is not a card, and return the next line."""
         text = self.raw.texts[file]
         shown = text.line(line).split("$", 1)[0].upper()
         if word == b"ENDDATA":
@@ -151,7 +151,7 @@ class _Reader:
         return end
 
     def _cards(self, file: int, first: int, end: int) -> None:
-        """All cards in a range of lines."""
+        """Read all cards in a range of lines."""
         if end <= first:
             return
         text = self.raw.texts[file]
@@ -167,7 +167,7 @@ class _Reader:
         self._rest(file, lines, taken)
 
     def _plain_grids(self, file: int, lines: Lines, taken: Bools) -> None:
-        """GRID cards in columns of 8 that are as long as they should be."""
+        """Read complete GRID cards in columns of 8."""
         text = self.raw.texts[file]
         rows = np.flatnonzero(lines.plain & (lines.heads == b"GRID"))
         rows = rows[lines.stops[rows + lines.first] - text.begins[rows + lines.first] >= 48]
@@ -180,7 +180,7 @@ class _Reader:
         taken[rows] = True
 
     def _large_grids(self, file: int, lines: Lines, taken: Bools) -> None:
-        """GRID* cards whose second line follows, both as long as they should be."""
+        """Read complete GRID* cards followed by their second line."""
         text = self.raw.texts[file]
         rows = np.flatnonzero(lines.plain & (lines.heads == b"GRID*"))
         rows = rows[rows + 1 < len(lines.heads)]
@@ -202,7 +202,7 @@ class _Reader:
     def _add(
         self, file: int, at: Ints, numbers: tuple[Ints, Ints], layout: tuple[Ints, int]
     ) -> None:
-        """Nodes in lines `at`, their coordinates in columns (3,) or (n, 3) of some width."""
+        """Add nodes in lines `at`, with coordinates in columns (3,) or (n, 3) of some width."""
         text = self.raw.texts[file]
         columns, width = layout
         begins = (text.begins[at][:, None] + columns).astype(text.begins.dtype)
@@ -219,7 +219,7 @@ class _Reader:
     def _integers(
         self, file: int, lines: Lines, rows: Ints, field: tuple[int, int], *blank: int
     ) -> Ints:
-        """Whole numbers in (position, width) of lines; blank ones are refused or stand for one."""
+        """Return integers in (position, width); a blank field is an error or has a value."""
         text, (position, width) = self.raw.texts[file], field
         column = place_of(position, width)[1]
         found = np.empty(len(rows), dtype=np.int64)
@@ -250,7 +250,7 @@ class _Reader:
         return Elements(name, "shell", *numbers, file, (rows + lines.first).astype(np.int32))
 
     def _rest(self, file: int, lines: Lines, taken: Bools) -> None:
-        """All other cards, one by one."""
+        """Read all other cards one by one."""
         heads = np.char.rstrip(lines.heads, b"*")
         self._generated += [
             (file, int(k) + lines.first) for k in np.flatnonzero(np.char.startswith(heads, b"="))
@@ -302,7 +302,7 @@ class _Reader:
         found.names[key] = f"MAT1 {key}"
 
     def _whole(self, file: int, card: Card, position: int) -> int | None:
-        """A whole number; None if the field is blank. Raises FileError."""
+        """Return an integer, or None if the field is blank. Raises FileError."""
         text = card.text(position)
         number = parse_integer(text) if text else None
         if text and number is None:
@@ -311,7 +311,7 @@ class _Reader:
         return number
 
     def _odd_grid(self, file: int, card: Card, points: Points) -> None:
-        """A GRID card in free fields, with tabs, with a comment, or cut short."""
+        """Read a GRID card in free fields, with tabs or comments, or shortened."""
         node = self._whole(file, card, GRID["id"])
         if node is None:
             raise self.raw.error((file, card.line), "GRID: a node without an id")
@@ -357,7 +357,7 @@ class _Reader:
 
 
 def _with_systems(block: Block, default: int) -> Block:
-    """With the number of a system wherever a card leaves it out."""
-    assert block.systems is not None  # every GRID tells its own, or -1
+    """Return the block with the default system where a card does not give one."""
+    assert block.systems is not None  # every GRID has its own, or -1
     systems = np.where(block.systems < 0, default, block.systems)
     return replace(block, systems=systems.astype(np.int32))

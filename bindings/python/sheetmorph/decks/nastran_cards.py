@@ -16,11 +16,11 @@ from .text import DeckText
 
 
 class Field(NamedTuple):
-    """A field's text and its place.
+    """The text of a field with its location.
 
-    begin, width: offset and length of what there is of it; lead: blanks or commas that are missing
-    between the end of a short line and it; room: characters it may have; kind: "fixed", "free" or
-    "tab" (fixed, in a line with tabs).
+    begin and width are offset and length of its existing part. lead is the number of blanks or
+    commas missing between the end of a short line and the field. room is its largest number of
+    characters. kind is "fixed", "free" or "tab" (fixed, in a line with tabs).
     """
 
     text: str
@@ -33,9 +33,11 @@ class Field(NamedTuple):
 
 @dataclass
 class Card:
-    """name without the `*`; line: index of its first line; fields: all behind the name, in order.
+    """A card.
 
-    is_large: 16 characters a field; is_free: fields between commas; lines: how many it has.
+    name has no `*`. line is the index of its first line. fields has all fields after the name.
+    is_large means 16 characters per field, and is_free commas between fields. lines is the number
+    of lines.
     """
 
     name: str
@@ -46,26 +48,25 @@ class Card:
     lines: int = 1
 
     def text(self, position: int) -> str:
-        """Stripped text of the field at a position (0: behind the name), "" if left out."""
+        """Return the stripped text of a field (0: after the name), "" if it is missing."""
         return self.fields[position].text.strip() if position < len(self.fields) else ""
 
     def number(self, position: int) -> int:
-        """The whole number in a field; 0 if it is blank or something else."""
+        """Return the integer in a field, 0 if it is blank or invalid."""
         return parse_integer(self.text(position)) or 0
 
     def real(self, position: int) -> float:
-        """The number in a field; 0 if it is blank or something else."""
+        """Return the number in a field, 0 if it is blank or invalid."""
         return parse_real(self.text(position)) or 0.0
 
 
 @dataclass(frozen=True)
 class Lines:
-    """The lines of bulk data, sorted by what they are.
+    """Bulk data lines by type.
 
-    first, end: the range of lines; heads: (l,) names in capitals of those lines that begin a card,
-    as bytes of 8, b"" where a line is a comment, blank or b"+" a continuation; plain: (l,) whether
-    it is one in columns without tabs; stops: (n,) where the text of each line of the file ends,
-    comments left out.
+    first and end give the range of lines. heads (l,) has the card names in capitals as 8 bytes, b""
+    for comments and blank lines, and b"+" for continuations. plain (l,) marks lines with columns
+    and without tabs. stops (n,) has the end of the text in each line of the file, without comments.
     """
 
     first: int
@@ -76,7 +77,7 @@ class Lines:
 
 
 def sorted_lines(text: DeckText, first: int, end: int) -> Lines:
-    """What the lines of a range are."""
+    """Classify the lines of a range."""
     stops = text.first_per_line(ord("$"))
     tabs = text.first_per_line(9) < stops
     commas = text.first_per_line(ord(","))
@@ -109,7 +110,7 @@ def _name_of(text: DeckText, begin: int, stop: int) -> bytes:
 
 
 def cards(text: DeckText, lines: Lines, wanted: Ints) -> Iterator[Card]:
-    """The cards that begin in some lines (indices, rising), with their continuation lines."""
+    """Yield the cards that begin in ascending lines, with their continuation lines."""
     for number in wanted.tolist():
         name = lines.heads[number - lines.first].decode("latin-1")
         card = _open(text, name, number, int(lines.stops[number]))
@@ -142,7 +143,7 @@ def _continue(text: DeckText, card: Card, number: int, stop: int) -> None:
 
 
 def _fields(body: str, begin: int, is_large: bool) -> list[Field]:
-    """The data fields of one line: 8 of a small one, 4 of a large one; blank ones included."""
+    """Return the data fields of one line, 8 small or 4 large ones, including blank ones."""
     if "," in body[:10]:
         return _free_fields(body, begin, 4 if is_large else 8)
     if "\t" in body:
@@ -162,7 +163,7 @@ def _free_fields(body: str, begin: int, count: int) -> list[Field]:
     found = []
     at = begin + len(texts[0]) + 1
     for k, text in enumerate(texts[1:]):
-        # The tenth field names the continuation; what stands behind it goes on with the card.
+        # The tenth field names the continuation; fields after it still belong to the card.
         is_name = k == count and (not text.strip() or text.strip()[0] in "+*")
         if not is_name:
             found.append(Field(text, at, len(text), 0, 0, "free"))
@@ -173,7 +174,7 @@ def _free_fields(body: str, begin: int, count: int) -> list[Field]:
 
 
 def _tab_fields(body: str, begin: int, is_large: bool) -> list[Field]:
-    """Fields of a line with tabs, which end where a field does: each is some characters of it."""
+    """Return the fields of a line with tabs; each may have fewer characters than its width."""
     columns, at = [], 0
     for char in body:
         columns.append(at)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Nastran's elements as nodes: shells, solids, lines, rigid elements, masses, welds."""
+"""Nastran elements as nodes: shells, solids, lines, rigid elements, masses, welds."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _ENDS = ("ALPHA", "UM")
 
 
 def elements_of(raw: Raw, file: int, name: str, cards: list[Card]) -> list[Elements]:
-    """The elements that cards of one name make. Raises FileError."""
+    """Return the elements of cards with one name. Raises FileError."""
     if name not in ELEMENTS:
         return []
     kind, places = ELEMENTS[name]
@@ -48,7 +48,7 @@ def elements_of(raw: Raw, file: int, name: str, cards: list[Card]) -> list[Eleme
 def _nodes(
     raw: Raw, file: int, card: Card, places: tuple[int, ...]
 ) -> Iterator[tuple[int, list[int]]]:
-    """Where the id of each element of a card stands, and its nodes."""
+    """Yield the position of the id of each element in a card, and its nodes."""
     if card.name.startswith("CORD1"):
         for at in CARDS["CORD1"]["id"]:
             if card.text(at):
@@ -74,13 +74,13 @@ def _rbe2(card: Card) -> Iterator[int]:
     layout = CARDS["RBE2"]
     yield layout["main"][0]
     for k in range(layout["nodes"][0], len(card.fields)):
-        # The thermal expansion, a real number, may end the list.
+        # The list can end with the thermal expansion, a real number.
         if card.text(k) and "." not in card.text(k) and card.text(k).upper() != "THRU":
             yield k
 
 
 def _rbe3(card: Card) -> Iterator[int]:
-    """The reference node, then weights (real), components and nodes (whole numbers)."""
+    """Yield the reference node, then the nodes between weights (real) and components (integer)."""
     layout = CARDS["RBE3"]
     yield layout["main"][0]
     is_component, in_list = False, True
@@ -115,18 +115,18 @@ def _rbe1(card: Card) -> Iterator[int]:
 
 
 def _mpc(card: Card) -> Iterator[int]:
-    # SID G1 C1 A1 G2 C2 A2 (blank), then (blank) G3 C3 A3 G4 C4 A4 (blank) on every further line.
+    # SID G1 C1 A1 G2 C2 A2 (blank), then (blank) G3 C3 A3 G4 C4 A4 (blank) in each further line.
     for start in range(0, len(card.fields), 8):
         yield from (start + k for k in CARDS["MPC"]["nodes"] if card.text(start + k))
 
 
 def _own_points(card: Card) -> list[int]:
-    """The ids of the points that a weld's card has for itself."""
+    """Return the ids of the points that are defined in a weld card."""
     return [weld_point(card.name, card.number(0), end) for end, _ in _written_points(card)]
 
 
 def _written_points(card: Card) -> list[tuple[int, tuple[int, ...]]]:
-    """Which ends of a weld stand as coordinates in its card, and in which fields."""
+    """Return the weld ends with coordinates in the card, and their fields."""
     layout = CARDS[card.name]
     words = {card.text(k).upper() for k in layout["kind"]}
     if card.name == "CWELD" and words.isdisjoint(("ELEMID", "ELPAT", "PARTPAT")):
@@ -160,9 +160,9 @@ _VARIED = {
 
 
 def add_weld_points(points: Points, card: Card) -> None:
-    """The points of a weld that stand as coordinates in its card, each as a node of its own.
+    """Add the points with coordinates in a weld card, each as a separate node.
 
-    Such a node has an id below zero, made from the card, the element and the point.
+    Such a node has a negative id from card, element and point.
     """
     for end, places in _written_points(card):
         fields = [card.fields[place] for place in places]
@@ -170,5 +170,5 @@ def add_weld_points(points: Points, card: Card) -> None:
 
 
 def weld_point(name: str, element: int, end: int) -> int:
-    """The id, below zero, of a weld's point that has no node."""
+    """Return the negative id of a weld point without a node."""
     return -((zlib.crc32(name.encode()) % 97 + 1) * 10**10 + 2 * element + end)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Points whose three coordinates stand in fields of a card, gathered into blocks."""
+"""Points with three coordinates in fields of a card, collected into blocks."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _Row = tuple[int, int, int, list[float | None], list[int], list[int], list[int]]
 
 
 class Points:
-    """Points of one file; those written in one way become one block."""
+    """Points of one file; those in the same form become one block."""
 
     def __init__(self, raw: Raw, file: int):
         self._raw = raw
@@ -25,7 +25,7 @@ class Points:
         self._rows: dict[tuple[int, int], list[_Row]] = defaultdict(list)
 
     def add(self, card: Card, node: int, system: int, fields: list[Field]) -> None:
-        """A point with an id, in a coordinate system, in three fields of a card."""
+        """Add a point with an id, in a coordinate system and three fields of a card."""
         values = [parse_real(field.text) for field in fields]
         for field, value in zip(fields, values):
             if value is None:
@@ -41,7 +41,7 @@ class Points:
 
     @staticmethod
     def _layout(card: Card, fields: list[Field]) -> tuple[int, int]:
-        """Kind and room of a point."""
+        """Return kind and room of a point."""
         width = 16 if card.is_large else 8
         if any(field.kind == "free" for field in fields):
             longest = max(len(field.text.strip()) for field in fields)
@@ -51,7 +51,7 @@ class Points:
         return PADDED, width
 
     def _leads(self, fields: list[Field]) -> list[int]:
-        """What goes before missing fields, where those before them are written in full."""
+        """Return the filler before missing fields, for full fields before them."""
         leads, before = [], -1
         text = self._raw.texts[self._file]
         for axis, field in enumerate(fields):
@@ -69,7 +69,7 @@ class Points:
         return leads
 
     def blocks(self) -> list[Block]:
-        """What was added."""
+        """Return the collected blocks."""
         return [self._block(kind, room, rows) for (kind, room), rows in self._rows.items()]
 
     def _block(self, kind: int, room: int, rows: list[_Row]) -> Block:

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a Nastran deck calls things: SET of the case control, SET1 and SET3 of the bulk data, and
-the names of properties that pre-processors write into comments."""
+"""Names in a Nastran deck: SET, SET1 and SET3, and property names in comments."""
 
 from __future__ import annotations
 
@@ -14,11 +13,11 @@ from .text import DeckText
 
 _SET = re.compile(r"^\s*SET\s+(\d+)\s*=\s*(.*)$", re.IGNORECASE)
 _LARGEST = 100_000_000
-# Of SET3: what its ids are of; other kinds are no region of a mesh.
+# Members of SET3; other kinds are not regions of a mesh.
 _KINDS = {"GRID": "nodes", "POINT": "nodes", "ELEM": "elements", "ELEMENT": "elements"}
 
 
-# HyperMesh, Femap, ANSA; components of HyperMesh are what its properties are called otherwise.
+# Comments of HyperMesh, Femap and ANSA; HyperMesh components are alternative property names.
 _NAMES = (
     rb'^\$HMNAME\s+COMP\s+(\d+)\s*"([^"\r\n]*)"',
     rb"^\$ANSA_NAME_COMMENT;(\d+);PSHELL;([^;\r\n]*);",
@@ -28,7 +27,7 @@ _NAMES = (
 
 
 def comment_names(text: DeckText) -> dict[int, str]:
-    """The names of properties in comments."""
+    """Return the property names in comments."""
     return {
         int(mark.group(1)[:18]): mark.group(2).decode("latin-1").strip()
         for pattern in _NAMES
@@ -37,7 +36,7 @@ def comment_names(text: DeckText) -> dict[int, str]:
 
 
 def control_sets(text: DeckText, end: int) -> Iterator[NamedSet]:
-    """The sets in the lines of the case control, before a line."""
+    """Yield the sets of the case control, before a line."""
     whole = ""
     for number in range(end):
         body = text.line(number).split("$", 1)[0].rstrip()
@@ -52,7 +51,7 @@ def control_sets(text: DeckText, end: int) -> Iterator[NamedSet]:
 
 
 def card_sets(cards: Sequence[Card]) -> Iterator[NamedSet]:
-    """The sets of SET1 and SET3 cards."""
+    """Yield the sets of SET1 and SET3 cards."""
     for card in cards:
         layout = CARDS[card.name]
         kind = _KINDS.get(card.text(layout["kind"][0]).upper(), "") if "kind" in layout else ""
@@ -62,7 +61,7 @@ def card_sets(cards: Sequence[Card]) -> Iterator[NamedSet]:
 
 
 def _listed(words: Sequence[str]) -> list[int]:
-    """The ids of a list in which THRU stands between the ends of a range."""
+    """Return the ids of a list with THRU between the ends of a range."""
     found: list[int] = []
     is_range = False
     for word in words:
@@ -74,5 +73,5 @@ def _listed(words: Sequence[str]) -> list[int]:
             found += range(start, min(last, start + _LARGEST) + 1)
             is_range = False
         elif word.upper() in ("EXCEPT", "BY"):
-            break  # what is left out, or a step: no region can be told from the rest
+            break  # exclusions and steps are not supported
     return found

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What in a Nastran deck goes by places, and stays as it is when nodes move."""
+"""Position-dependent data of a Nastran deck that stay unchanged when nodes move."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ STALE = {
     "DMIGROT": "a matrix of the shape before",
     "INITS": "an initial stress of the shape before",
 }
-# From which field on something stands that a moved node makes wrong.
+# First field with data that a moved node makes stale.
 _FROM = {"CTRIA3": 5, "CQUAD4": 6, "CONM2": 4, "CBEAM": 10, "CBAR": 10}
-# Bars: a vector of orientation in three fields; in the first, the number of a node moves along.
+# Bars: the orientation is a vector in three fields, or a node number, which stays valid.
 _ORIENTED = {"CBEAM": 4, "CBAR": 4}
 
 
 def stale_of(file: int, name: str, cards: list[Card]) -> list[Place]:
-    """The cards of one name that a moved node leaves behind."""
+    """Return the cards with one name that moved nodes make stale."""
     if name not in STALE:
         return []
     first = _FROM.get(name, 0)

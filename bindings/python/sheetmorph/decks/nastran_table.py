@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The fields of the Nastran cards that SheetMorph reads: the only place with their positions.
+"""The fields of the Nastran cards that SheetMorph reads; all positions are defined here.
 
-A position counts the data fields of a card from 0, the one behind its name, over all its lines:
-eight a line in small fields, four in large ones.
+A position counts the data fields of a card from 0, after the name, over all lines: eight per line
+in small fields, four in large ones.
 """
 
 from __future__ import annotations
 
-FIRST = 8  # the column, from 0, of the first field: the name takes those before
+FIRST = 8  # column, from 0, of the first field, after the name
 
 
 def place_of(position: int, width: int) -> tuple[int, int]:
-    """The line of a card, from 0, and the first column, from 0, of a field of 8 or 16."""
+    """Return line and first column, both from 0, of a field of width 8 or 16."""
     line, field = divmod(position, 64 // width)
     return line, FIRST + field * width
 
 
-# What an element is, and at which positions its nodes stand; () where the card decides.
+# Kind of each element, and positions of its nodes; () if the card determines them.
 ELEMENTS: dict[str, tuple[str, tuple[int, ...]]] = {
     **{name: ("shell", (2, 3, 4)) for name in ("CTRIA3", "CTRIAR", "CPLSTN3", "CPLSTS3")},
     **{name: ("shell", (2, 3, 4, 5)) for name in ("CQUAD4", "CQUADR", "CPLSTN4", "CPLSTS4")},
@@ -52,28 +52,28 @@ CORNERS = {
     "CQUAD4": 4, "CQUADR": 4, "CQUAD8": 4, "CQUAD": 4, "CSHEAR": 4, "CTETRA": 4, "CPYRAM": 5,
     "CPENTA": 6, "CHEXA": 8, "RBAR": 2, "CBAR": 2, "CBEAM": 2, "CROD": 2, "PLOTEL": 2,
 }  # fmt: skip
-# Where coordinates of points without a node stand in welds.
+# Fields with coordinates of weld points without a node.
 WELD_POINTS = {
     "CWELD": ((16, 17, 18),),
     "CFAST": ((8, 9, 10),),
     "CSEAM": ((16, 17, 18), (19, 20, 21)),
 }
-# Of other cards, and of those whose fields differ from one to the next, the fields that are read.
+# Fields of other cards, and of those with variable layout.
 GRID = {"id": 0, "system": 1, "point": 2}  # the last one is the first of three
 CARDS: dict[str, dict[str, tuple[int, ...]]] = {
     "GRDSET": {"system": (1,)},
     "PSHELL": {"id": (0,), "material": (1,), "thickness": (2,)},
     "MAT1": {"id": (0,), "young": (1,), "shear": (2,), "poisson": (3,), "density": (4,)},
-    "CORD1": {"id": (0, 4), "nodes": (1, 2, 3)},  # two systems a card
+    "CORD1": {"id": (0, 4), "nodes": (1, 2, 3)},  # two systems per card
     "CORD2": {"id": (0,), "system": (1,), "points": tuple(range(2, 11))},
-    "SET1": {"id": (0,), "members": (1,)},  # and so on
+    "SET1": {"id": (0,), "members": (1,)},  # and following
     "SET3": {"id": (0,), "kind": (1,), "members": (2,)},
     "RBE2": {"id": (0,), "main": (1,), "nodes": (3,)},
     "RBE3": {"id": (0,), "main": (2,), "nodes": (4,)},
     "RBE1": {"id": (0,), "nodes": (1,)},
-    "MPC": {"id": (0,), "nodes": (1, 4)},  # again in every further line
+    "MPC": {"id": (0,), "nodes": (1, 4)},  # repeated in every further line
     "CWELD": {
-        # Some programs write the kind one field behind its place.
+        # Some programs write the kind one field further.
         "kind": (3, 4), "point": (2,), "grids": (2, 4, 5), "patches": tuple(range(8, 24)),
     },
     "CFAST": {"kind": (2,), "point": (5,), "grids": (5, 6, 7)},

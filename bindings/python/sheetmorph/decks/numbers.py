@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers in the fields of decks: read as Fortran reads them, the nearest that fits is written."""
+"""Numbers in deck fields, parsed as in Fortran and written with the nearest text that fits."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 from ..arrays import Bools, Codes, Floats, Ints
 
 _REAL = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+))(?:[ED]([+-]?\d+)|([+-]\d+))?", re.IGNORECASE)
-# Beyond it, squares of coordinates overflow.
+# The squares of larger coordinates can overflow.
 LARGEST = 1e100
 # Of a double.
 _DIGITS = 15
@@ -25,7 +25,7 @@ _BLANK, _PLUS, _MINUS, _POINT, _E = b" +-.e"
 
 
 def parse_real(text: str) -> float | None:
-    """The value of a field, `1.5-3` included; 0 for a blank one, None if it is no finite number."""
+    """Return the value of a field such as `1.5-3`; 0 if blank, None if it is not finite."""
     stripped = text.strip()
     if not stripped:
         return 0.0
@@ -38,13 +38,13 @@ def parse_real(text: str) -> float | None:
 
 
 def parse_integer(text: str) -> int | None:
-    """The value of a field with a whole number; None if it holds none."""
+    """Return the value of an integer field, or None."""
     stripped = text.strip()
     return int(stripped) if re.fullmatch(r"[+-]?\d{1,18}", stripped) else None
 
 
 def parse_reals(codes: Codes) -> Floats:
-    """Values (n,) of fields (n, w) of character codes; blank ones are 0, what is no number NaN."""
+    """Return values (n,) of character codes (n, w); 0 if blank, NaN if invalid."""
     if not codes.size:
         return np.zeros(len(codes))
     if codes.shape[1] < 4:
@@ -60,7 +60,7 @@ def parse_reals(codes: Codes) -> Floats:
 
 
 def _with_plain_exponents(codes: Codes) -> Codes:
-    """A copy one wider, `1.5D3` and `1.5-3` as `1.5e3` and `1.5e-3`."""
+    """Return a wider copy with `1.5D3` and `1.5-3` written as `1.5e3` and `1.5e-3`."""
     texts = np.full((len(codes), codes.shape[1] + 1), _BLANK, dtype=np.uint8)
     texts[:, :-1] = codes
     texts[(texts == ord("D")) | (texts == ord("d"))] = _E
@@ -88,10 +88,10 @@ def _converted(texts: Codes) -> Floats:
 
 
 def parse_integers(codes: Codes) -> tuple[Ints, Bools]:
-    """Values (n,) int64 of fields (n, w) of character codes, blank ones 0; and which are sound."""
+    """Return values (n,) int64 of character codes (n, w), 0 if blank, and which are valid."""
     values = np.zeros(len(codes), dtype=np.int64)
     negative = np.zeros(len(codes), dtype=bool)
-    # 0: nothing yet; 1: a sign; 2: digits; 3: blanks behind them.
+    # States: 0 nothing, 1 a sign, 2 digits, 3 trailing blanks.
     state = np.zeros(len(codes), dtype=np.int8)
     sound = np.full(len(codes), codes.shape[1] <= 20)
     digits = np.zeros(len(codes), dtype=np.int8)
@@ -111,18 +111,19 @@ def parse_integers(codes: Codes) -> tuple[Ints, Bools]:
 
 
 def format_reals(values: Floats, room: int, mark: str = "") -> list[str]:
-    """For each of the values (n,) the text of at most `room` characters that is nearest to it.
+    """Return for each value (n,) the nearest text with at most `room` characters.
 
-    Always with a decimal point, as Nastran tells reals from integers; mark: what stands before an
-    exponent, nothing in Nastran, "E" elsewhere. Raises ValueError as format_real() does.
+    The text has a decimal point, because Nastran distinguishes reals from integers by it. mark
+    precedes an exponent: nothing in Nastran, "E" elsewhere. Raises ValueError as format_real()
+    does.
     """
     return [format_real(value, room, mark) for value in values.tolist()]
 
 
 def format_real(value: float, width: int, mark: str = "") -> str:
-    """The text of at most `width` characters that is nearest to a finite value; mark: as above.
+    """Return the text with at most `width` characters that is nearest to a finite value.
 
-    Raises ValueError if the number does not fit (beyond about 1e99).
+    See format_reals() for mark. Raises ValueError if the number does not fit (beyond about 1e99).
     """
     if value == 0.0:
         return "0."
@@ -133,7 +134,7 @@ def format_real(value: float, width: int, mark: str = "") -> str:
         if len(text) <= width:
             return text
     fixed = _fixed(value, width)
-    # In this range a fixed point number has at least as many digits as one with an exponent.
+    # In this range fixed-point notation has at least as many digits as an exponent.
     if fixed is not None and 1e-2 <= size < 10.0 ** (width - 2):
         return fixed
     candidates = [fixed] if fixed is not None else []
@@ -144,10 +145,12 @@ def format_real(value: float, width: int, mark: str = "") -> str:
 
 
 def last_digit(size: float, width: int) -> float:
-    """The last decimal place that a field of some width keeps of numbers up to a size; not less
-    than that of a double with its 15 digits. Width 0: the number is stored as a double."""
+    """Return the last decimal place of numbers up to a size in a field.
+
+    It is at least that of a double with 15 digits. Width 0 stands for a double.
+    """
     whole = len(str(int(size))) if size >= 1.0 else 0
-    # A sign and a point take a character each.
+    # A sign and a point take one character each.
     digits = min(width - 2, _DIGITS) if width else _DIGITS
     return float(10.0 ** (whole - digits))
 
@@ -156,7 +159,7 @@ def _fixed(value: float, width: int) -> str | None:
     size = abs(value)
     whole = len(str(int(size))) if size >= 1.0 else 0
     room = width - whole - 1 - (value < 0)
-    # One decimal less where rounding adds a digit, 9.99999996 -> 10.000000.
+    # One decimal less if rounding adds a digit, 9.99999996 -> 10.000000.
     for decimals in (room, room - 1):
         if decimals < 0:
             continue
@@ -171,7 +174,7 @@ def _fixed(value: float, width: int) -> str | None:
 
 
 def _with_exponent(value: float, width: int, mark: str) -> list[str]:
-    """Every `1.234-5`: the point may stand before or behind any digit to shorten the exponent."""
+    """Return all forms of `1.234-5`; the position of the point can shorten the exponent."""
     sign = "-" if value < 0 else ""
     texts = []
     for count in range(1, min(width - 2, 17) + 1):

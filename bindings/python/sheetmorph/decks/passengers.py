@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Everything that hangs on the sheet of a deck goes along with it, by rules that can be changed."""
+"""Passengers: nodes outside the sheet of a deck that follow it by adjustable rules."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ if TYPE_CHECKING:
     from .. import _core
 
 RULES = ("blend", "rigid", "nearest", "stay")
-# A group that nothing ties to the sheet and that has more nodes is a part of its own.
+# A larger group without attachment to the sheet is a separate part.
 _LARGEST_LOOSE = 64
 
 
 @dataclass(frozen=True)
 class Rules:
-    """How passengers follow.
+    """Rules for passengers.
 
-    reach: mm, how near to the sheet something loose must be to go along, None for the middle length
-    of the sheet's edges; given: the rule of nodes by id.
+    reach is the largest distance of a loose node from the sheet at which it follows, mm; None uses
+    the median edge length. given has the rules of nodes by id.
     """
 
     reach: float | None = None
@@ -39,8 +39,11 @@ class Rules:
 
 @dataclass
 class Carried:
-    """Positions (n, 3) of all nodes of a deck; by rule how many nodes followed; left: indices of
-    those that hang on nothing that moves, or are told to stay."""
+    """All nodes of a deck after a motion of its sheet, positions (n, 3).
+
+    counts has the number of nodes by rule. left has the indices of nodes that follow nothing, or
+    must stay.
+    """
 
     positions: Floats
     counts: dict[str, int]
@@ -48,7 +51,7 @@ class Carried:
 
 
 class Passengers:
-    """The nodes of a deck outside of its sheet."""
+    """The nodes of a deck outside its sheet."""
 
     def __init__(self, deck: Deck, sheet: Sheet, rules: Rules = Rules()):
         self._deck, self._sheet, self._rules = deck, sheet, rules
@@ -59,11 +62,11 @@ class Passengers:
 
     @property
     def count(self) -> int:
-        """How many there are."""
+        """Number of these nodes."""
         return sum(len(group.nodes) for group in self._groups)
 
     def carried(self, positions: Floats) -> Carried:
-        """All nodes, with those of the sheet at (k, 3) positions."""
+        """Return all nodes for sheet nodes at positions (k, 3)."""
         whole = self._deck.points.copy()
         whole[self._sheet.nodes] = positions
         found = Carried(whole, dict.fromkeys(RULES, 0), np.empty(0, dtype=np.int64))
@@ -85,7 +88,7 @@ class Passengers:
         return found
 
     def holding(self) -> Ints:
-        """(k,) the rows of the sheet's nodes by whose places and turns passengers go."""
+        """Return the rows (k,) of sheet nodes whose motion passengers follow."""
         near = {
             number: [hit for hit in hits if hit is not None and hit.distance <= self.reach]
             for number, hits in self._hits().items()
@@ -101,7 +104,7 @@ class Passengers:
         return found
 
     def _hits(self) -> dict[int, list[_core.Hit | None]]:
-        """By group the nearest places on the sheet, of those that go by them."""
+        """Return the nearest sheet points of the loose groups that follow them, by group."""
         wanted = [
             k
             for k, group in enumerate(self._groups)
@@ -140,7 +143,7 @@ class Passengers:
     def _nearest(
         self, motion: Motion, hits: Sequence[_core.Hit | None], points: Floats
     ) -> Floats | None:
-        """Where loose points go; None if they are too far from the sheet."""
+        """Return the positions of loose points, or None if they are too far from the sheet."""
         near = {k: hit for k, hit in enumerate(hits) if hit and hit.distance <= self.reach}
         if not near:
             return None
@@ -166,7 +169,7 @@ class Passengers:
 
 
 def rules_of(entries: dict[str, Any] | None) -> Rules:
-    """What a recipe says under `passengers`."""
+    """Return the rules from the recipe key `passengers`."""
     entries = entries or {}
     given: dict[int, str] = {}
     for entry in entries.get("rules", ()):

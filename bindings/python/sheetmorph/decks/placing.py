@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cards that move, make or number nodes after they are read: such a deck is copied, not morphed."""
+"""Cards that move, create or renumber nodes after reading; such decks can only be copied."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _MOVES = "moves nodes after they are read"
 _MERGES = "merges nodes after they are read"
 _MAKES = "makes nodes of others in other places"
 _ANEW = "moves or numbers anew what it includes"
-# By format: what a name begins with, and what the solver does then.
+# For each format the start of a card name, and the action of the solver.
 _REASONS = {
     "LS-DYNA": {
         "NODE_TRANSFORM": _MOVES,
@@ -39,7 +39,7 @@ _MARKS = {"LS-DYNA": "*", "Abaqus": "*", "Radioss": "/", "Nastran": ""}
 
 
 def note_placing(raw: Raw, name: str, place: tuple[int, int]) -> bool:
-    """Remember a card at (file, line) that changes where nodes are; whether it is one."""
+    """Record a card at (file, line) that changes node positions; return whether it does."""
     for begin, reason in _REASONS[raw.form].items():
         if name == begin or name.startswith((f"{begin}_", f"{begin}/")):
             remember_placing(raw, name, place, reason)
@@ -48,14 +48,14 @@ def note_placing(raw: Raw, name: str, place: tuple[int, int]) -> bool:
 
 
 def remember_placing(raw: Raw, name: str, place: tuple[int, int], reason: str = _ANEW) -> None:
-    """The deck has a card by which its nodes are elsewhere, or called otherwise, than written."""
+    """Record that a card changes positions or numbers of nodes."""
     raw.placing.append(Place(f"{_MARKS[raw.form]}{name}", 0, *place, reason))
-    # Numbers that are shifted later may well be there twice.
+    # Ids that are shifted later may appear twice.
     raw.wins = "last"
 
 
 def require_places(deck: Deck) -> None:
-    """Nothing if the nodes of a deck are where it writes them. Raises FileError otherwise."""
+    """Check that the nodes of a deck stay at their written positions. Raises FileError."""
     if not deck.raw.placing:
         return
     card = deck.raw.placing[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Radioss starter files: nodes, elements, and the rigid bodies of groups of nodes."""
+"""Radioss starter files: nodes, elements, and rigid bodies of node groups."""
 
 from __future__ import annotations
 
@@ -38,13 +38,13 @@ _OLDEST = 51
 
 
 def read_radioss(path: Path, opener: Opener) -> Deck:
-    """A starter deck with its includes. Raises FileError."""
+    """Read a starter deck with its includes. Raises FileError."""
     reader = _Reader(Raw("Radioss"), path, opener)
     return reader.read()
 
 
 class _Reader:
-    """The state while a deck is read."""
+    """The state of the reader."""
 
     def __init__(self, raw: Raw, path: Path, opener: Opener):
         self.raw = raw
@@ -68,7 +68,7 @@ class _Reader:
         return Deck(self.raw)
 
     def _file(self, file: int) -> None:
-        """Take all blocks; an include goes on where it stands, inside of a block too."""
+        """Read all blocks; an include is read at its position, even inside a block."""
         text = self.raw.texts[file]
         self._included.enter(file)
         first = np.zeros(len(text), np.uint8)
@@ -78,7 +78,7 @@ class _Reader:
         submodels = Submodels(self.raw, file, outer)
         is_include = self._includes(file, submodels)
         heads = np.flatnonzero(first == ord("/"))
-        # Lines with // are comments, but for those around a submodel.
+        # Lines with // are comments, except those around a submodel.
         heads = heads[[_is_head(text.line(k)) for k in heads.tolist()]]
         if file:
             self._require_whole(file, first, int(heads[0]) if len(heads) else len(text))
@@ -93,7 +93,7 @@ class _Reader:
         self._included.leave()
 
     def _require_whole(self, file: int, first: Ints, end: int) -> None:
-        """An include that goes on with a block begun outside of it is not read."""
+        """Reject an include that continues a block of the including file."""
         text = self.raw.texts[file]
         for line in np.flatnonzero((first[:end] != ord("#")) & (first[:end] != 0)).tolist():
             if text.line(line).strip() and not text.line(line).startswith("//"):
@@ -112,10 +112,10 @@ class _Reader:
         return found
 
     def _block(self, file: int, words: list[str], at: tuple[int, Ints]) -> bool:
-        """Take one block; whether the file ends with it."""
+        """Read one block, and return whether it ends the file."""
         line, rows = at
         name = words[0]
-        # Behind the number of a block may stand that of its units.
+        # The number of a block may be followed by that of its units.
         number = next((n for n in map(parse_integer, words[1:]) if n is not None), 0)
         if name == "END":
             self._is_whole = self._is_whole or file == 0
@@ -164,13 +164,13 @@ class _Reader:
             self.raw.thickness[number] = thickness
 
     def _field(self, file: int, rows: Ints, place: Field) -> str:
-        """The text of a field of a block, "" if the block ends before its line."""
+        """Return the text of a field of a block, "" if the block ends before its line."""
         if place.line >= len(rows):
             return ""
         return texts(self.raw.texts[file].line(int(rows[place.line])), place)[0]
 
     def _numbers(self, file: int, rows: Ints) -> list[int]:
-        """All whole numbers of the lines of a group."""
+        """Return all integers in the lines of a group."""
         text, place = self.raw.texts[file], field("GRNOD", "members")
         found = (
             parse_integer(shown) for row in rows.tolist() for shown in texts(text.line(row), place)

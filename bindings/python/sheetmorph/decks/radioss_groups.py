@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Groups of nodes of Radioss, and what is made of them: rigid bodies and multi-strand elements."""
+"""Node groups of Radioss, with rigid bodies and multi-strand elements defined by them."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ import numpy as np
 from .model import Elements, NamedSet, Raw
 from .radioss_submodels import Shift
 
-# Of which ids a group of a kind is a list.
+# The ids that a group of each kind lists.
 _NODES, _RANGES, _PARTS, _GROUPS = ("NODE", "NODENS"), "GENE", "PART", "GRNOD"
 
 
 @dataclass(frozen=True)
 class _User:
-    """What has a group: its card, kind, id, part, main node (0 if none), and the group's number."""
+    """An entity with a node group: card, kind, id, part, main node (0 if none), and group."""
 
     card: str
     kind: str
@@ -29,7 +29,7 @@ class _User:
 
 
 class Groups:
-    """Gathers groups while a deck is read; their nodes are known at the end only."""
+    """Collector of groups while a deck is read; their nodes are resolved at the end."""
 
     def __init__(self, raw: Raw):
         self._raw = raw
@@ -37,14 +37,14 @@ class Groups:
         self._users: list[_User] = []
 
     def add(self, kind: str, number: int, members: Sequence[int], shift: Shift) -> None:
-        """A group with the numbers in its lines."""
+        """Add a group with the numbers in its lines."""
         by = shift.node if kind in (*_NODES, _RANGES) else shift.other
         by = shift.part if kind == _PARTS else by
         own = [one + by if one > 0 else one - by if one < 0 else 0 for one in members]
         self._groups[number + shift.other] = (kind, own)
 
     def add_body(self, body: tuple[int, int, int], shift: Shift, place: tuple[int, int]) -> None:
-        """A rigid body: its id, main node and group, at (file, line)."""
+        """Add a rigid body with id, main node and group, at (file, line)."""
         number, main, group = body
         main += shift.node if main else 0
         group += shift.other if group else 0
@@ -54,13 +54,13 @@ class Groups:
     def add_line(
         self, number: int, of: tuple[int, int], shift: Shift, place: tuple[int, int]
     ) -> None:
-        """An element through all nodes of a group; of: its part and the group."""
+        """Add an element through all nodes of a group; of has its part and group."""
         part, group = of
         user = _User("/XELEM", "line", number, part + shift.part, 0, group + shift.other, place)
         self._users.append(user)
 
     def finish(self) -> None:
-        """Add the groups, and what is made of them, to what was read."""
+        """Add the groups and their elements to the deck."""
         for number, (kind, members) in self._groups.items():
             if kind in _NODES:
                 self._raw.sets.append(NamedSet(f"GRNOD {number}", "nodes", members))
@@ -85,7 +85,7 @@ class Groups:
             )  # fmt: skip
 
     def _nodes_of(self, number: int, open_groups: set[int]) -> list[int] | None:
-        """The nodes of a group; None if it is not there, or is of a kind that is not read."""
+        """Return the nodes of a group, or None if it is missing or of an unsupported kind."""
         if number not in self._groups or number in open_groups:
             return None
         kind, members = self._groups[number]
@@ -102,7 +102,7 @@ class Groups:
         return self._combined(members, {*open_groups, number}) if kind == _GROUPS else None
 
     def _combined(self, members: Sequence[int], open_groups: set[int]) -> list[int] | None:
-        """The nodes of several groups; those of negative ones are left out."""
+        """Return the nodes of several groups without those of negative groups."""
         kept: dict[int, None] = {}
         for member in sorted(members, key=lambda one: one < 0):
             some = self._nodes_of(abs(member), open_groups)

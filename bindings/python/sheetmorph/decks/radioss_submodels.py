@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Submodels of Radioss: by how much the ids between //SUBMODEL and //ENDSUB are shifted."""
+"""Submodels of Radioss: offsets of the ids between //SUBMODEL and //ENDSUB."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _OLDEST = 51
 
 @dataclass(frozen=True)
 class Shift:
-    """What is added to ids of nodes, elements, parts, properties, and all others."""
+    """Offsets of the ids of nodes, elements, parts, properties, and all others."""
 
     other: int = 0
     node: int = 0
@@ -29,7 +29,7 @@ class Shift:
 
 
 class Submodels:
-    """Those that begin in one file; outer: the shift where the file is included."""
+    """The submodels that begin in one file; outer is the offset at its include."""
 
     def __init__(self, raw: Raw, file: int, outer: Shift):
         self._raw, self._file, self._outer = raw, file, outer
@@ -43,7 +43,7 @@ class Submodels:
         ]
 
     def at(self, line: int) -> Shift:
-        """The shift of what stands in a line."""
+        """Return the offset in a line."""
         place = int(np.searchsorted(self._begins, line, side="right")) - 1
         return self._shifts[place] if place >= 0 else self._outer
 
@@ -63,8 +63,10 @@ class Submodels:
 
 
 def _numbers(text: DeckText, line: int) -> list[int]:
-    """The offsets of all, of nodes, elements, parts, materials and properties; the title stands
-    before them."""
+    """Return the offsets in general, and of nodes, elements, parts, materials and properties.
+
+    They follow the title.
+    """
     cards = []
     for number in range(line + 1, min(line + 40, len(text))):
         shown = text.line(number)
@@ -77,7 +79,7 @@ def _numbers(text: DeckText, line: int) -> list[int]:
 
 
 def shifted(numbers: Ints, shift: int) -> Ints:
-    """Whole numbers with a shift where they are no zero."""
+    """Add an offset to all positive integers."""
     if not shift:
         return numbers
     return np.where(numbers > 0, numbers.astype(np.int64) + shift, 0)

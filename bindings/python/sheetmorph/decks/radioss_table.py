@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The fields of the Radioss starter blocks that SheetMorph reads: the only place with columns."""
+"""The fields of the Radioss starter blocks that SheetMorph reads; all columns are defined here."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Field:
-    """A field, or several of one width side by side.
+    """A field, or several adjacent ones of equal width.
 
-    line: the data line of the block, or of the element, from 0 (a title is a data line); begin:
-    its first column, from 0; width: in characters; count: how many fields.
+    line is the data line of the block or element from 0, and a title counts. begin is the first
+    column from 0. width is in characters, and count the number of fields.
     """
 
     line: int
@@ -21,17 +21,17 @@ class Field:
 
 
 def _element(count: int) -> dict[str, tuple[Field, ...]]:
-    """An element in one line: its id, then its nodes."""
+    """Return the fields of an element on one line: its id, then its nodes."""
     return {"id": (Field(0, 0, 10),), "nodes": (Field(0, 10, 10, count),)}
 
 
 def _long_element(*counts: int) -> dict[str, tuple[Field, ...]]:
-    """An element in several lines: its id alone, then so many nodes in each further line."""
+    """Return the fields of an element with its id on one line and nodes on further lines."""
     nodes = tuple(Field(1 + k, 0, 10, count) for k, count in enumerate(counts))
     return {"id": (Field(0, 0, 10),), "nodes": nodes}
 
 
-# Elements: what they are.
+# Kind of each element.
 ELEMENTS = {
     "SHELL": "shell", "SH3N": "shell", "QUAD": "solid", "TRIA": "solid", "BRICK": "solid",
     "TETRA4": "solid", "PENTA6": "solid", "SPRING": "line", "BEAM": "line", "TRUSS": "line",
@@ -60,19 +60,19 @@ BLOCKS: dict[str, dict[str, tuple[Field, ...]]] = {
     "PROP/SH_ORTH": _SHELL_PROPERTY,
     "PROP/SH_COMP": _SHELL_PROPERTY,
     "RBODY": {"main": (Field(1, 0, 10),), "group": (Field(1, 60, 10),)},
-    "GRNOD": {"members": (Field(1, 0, 10, 10),)},  # and so on in every further line
+    "GRNOD": {"members": (Field(1, 0, 10, 10),)},  # continued in every further line
     "//SUBMODEL": {"offsets": (Field(1, 0, 10, 6),)},
 }
-# Names that stand for a block of the table.
+# Alternative names of blocks.
 ALIASES = {"TYPE1": "SHELL", "TYPE9": "SH_ORTH", "TYPE10": "SH_COMP"}
 
 
 def field(block: str, name: str) -> Field:
-    """The first, or only, place of a field."""
+    """Return the first location of a field."""
     return BLOCKS[block][name][0]
 
 
 def texts(line: str, place: Field) -> list[str]:
-    """The text of the fields at a place in a line."""
+    """Return the texts of adjacent fields in a line."""
     begins = (place.begin + k * place.width for k in range(place.count))
     return [line[begin : begin + place.width] for begin in begins]

@@ -19,10 +19,19 @@ _NINE = ((0, 4, 8), (4, 1, 8), (1, 5, 8), (5, 2, 8), (2, 6, 8), (6, 3, 8), (3, 7
 
 @dataclass(frozen=True)
 class Sheet:
-    """nodes: (n,) indices of the deck's nodes that shells have, rising; triangles: (m, 3) int32
-    rows of nodes, in the order of the cards; properties: (m,); elements: (m,) ids; blocks: (m,)
-    which of the deck's elements they are of; faces: (e, 4)
-    rows of nodes at the corners of every shell, -1 in the last one of a triangle."""
+    """The shells of a deck as triangles.
+
+    Attributes
+    ----------
+    nodes : array (n,)
+        Ascending indices of the deck's nodes in shells.
+    triangles : array (m, 3), int32
+        Rows of nodes, in the order of the cards.
+    properties, elements, blocks : array (m,)
+        Property id, element id, and index of the element block of each triangle.
+    faces : array (e, 4)
+        Rows of nodes at the corners of every shell, -1 in the last one of a triangle.
+    """
 
     nodes: Ints
     triangles: Ints
@@ -33,7 +42,7 @@ class Sheet:
 
 
 def sheet_of(deck: Deck) -> Sheet:
-    """The shells of a deck. Raises FileError where one names a node that is not there."""
+    """Return the shells of a deck. Raises FileError if one refers to a missing node."""
     numbers = [k for k, b in enumerate(deck.elements) if b.kind == "shell" and len(b.ids)]
     found = [deck.elements[k] for k in numbers]
     pieces = [(*_triangles(deck, block), k) for k, block in zip(numbers, found)]
@@ -61,7 +70,7 @@ def sheet_of(deck: Deck) -> Sheet:
 
 
 def _corners(deck: Deck, block: Elements) -> Ints:
-    """(e, 4) indices of the nodes at the corners of elements, -1 in the last one of triangles."""
+    """Return node indices (e, 4) at the corners of elements, -1 last for triangles."""
     count = 4 if block.nodes.shape[1] >= 4 and block.nodes.shape[1] != 6 else 3
     corners = np.full((len(block.ids), 4), -1, dtype=np.int32)
     corners[:, :count] = deck.find(block.nodes[:, :count])
@@ -75,7 +84,7 @@ def _corners(deck: Deck, block: Elements) -> Ints:
 
 
 def _triangles(deck: Deck, block: Elements) -> tuple[Ints, Ints, Ints, Ints]:
-    """(m, 3) indices of nodes, (m,) places in the deck, properties and ids."""
+    """Return node indices (m, 3), and places in the deck, properties and ids (m,)."""
     count = max(3, 1 + int(np.flatnonzero((block.nodes != 0).any(axis=0)).max(initial=0)))
     nodes = block.nodes[:, :count]
     if nodes.shape[1] < 3 or (nodes[:, :3] == 0).any():
@@ -102,7 +111,7 @@ def _triangles(deck: Deck, block: Elements) -> tuple[Ints, Ints, Ints, Ints]:
     if len(owners) > 1:
         order = np.argsort(owner, kind="stable")
         owner, corners = owner[order], corners[order]
-    # Triangles of a degenerate element have no area and no business in a sheet.
+    # Triangles of a degenerate element have no area and do not belong to the sheet.
     sound = (corners[:, 0] != corners[:, 1]) & (corners[:, 1] != corners[:, 2])
     sound &= corners[:, 2] != corners[:, 0]
     owner, corners = owner[sound], corners[sound]
@@ -117,7 +126,7 @@ def _told(deck: Deck, block: Elements) -> FileError:
 
 
 def _kinds(index: Ints) -> Ints:
-    """How each element is cut: its number of corners, or 6, 8, 9 where all mid-side nodes are."""
+    """Return the way to cut each element: 3 or 4 corners, or 6, 8, 9 with all mid-side nodes."""
     count = index.shape[1]
     there = index >= 0
     if count <= 4:
@@ -136,7 +145,7 @@ def _kinds(index: Ints) -> Ints:
 
 
 def _cut(points: Floats, index: Ints, kind: int) -> Ints:
-    """(m, k, 3) triangles of elements of one kind."""
+    """Return triangles (m, k, 3) of elements of one kind."""
     if kind == 3:
         return index[:, None, :3]
     if kind == 4:
@@ -149,7 +158,10 @@ def _cut(points: Floats, index: Ints, kind: int) -> Ints:
 
 
 def _quads(points: Floats, quads: Ints) -> Ints:
-    """Cut along the shorter diagonal, the one from the first node if they are equal to rounding."""
+    """Cut quads along the shorter diagonal.
+
+    If both are equal up to rounding, the one from the first node is used.
+    """
     first = np.linalg.norm(points[quads[:, 0]] - points[quads[:, 2]], axis=1)
     second = np.linalg.norm(points[quads[:, 1]] - points[quads[:, 3]], axis=1)
     turned = second < first * (1.0 - 1e-6)

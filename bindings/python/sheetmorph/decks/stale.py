@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a change of coordinates leaves wrong in a deck, card by card, the same ones together."""
+"""Data of a deck that become stale when coordinates change, grouped by card."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _SHOWN = 50
 
 
 def stale_report(deck: Deck) -> list[dict[str, Any]]:
-    """By card and reason: file, how many, and the ids and lines of the first of them."""
+    """Return for each card and reason the file, the count, and the first ids and lines."""
     found: dict[tuple[str, str, int], list[tuple[int, int]]] = {}
     for place in deck.raw.stale:
         key = (place.card, place.what, place.file)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The bytes of a deck's file, its lines, and the same bytes with some numbers written anew."""
+"""The bytes of a deck file, its lines, and its bytes with some numbers replaced."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ _UTF_8, _UTF_16 = b"\xef\xbb\xbf", (b"\xff\xfe", b"\xfe\xff")
 class DeckText:
     """A file of a deck.
 
-    path: the place people know; mark: a byte order mark in front of it, or nothing; data: its bytes
-    behind that; codes: the same as (n,) uint8; begins, ends: (l,) offsets in them of its lines,
-    their ends (LF, CR LF or CR) left out. Raises FileError for text in UTF-16.
+    path is shown to the user. mark is a leading byte order mark or empty, and data has the bytes
+    after it. codes (n,) has them as uint8. begins and ends (l,) are the offsets of its lines
+    without line ends (LF, CR LF or CR). Raises FileError for UTF-16.
     """
 
     def __init__(self, path: Path, data: bytes):
@@ -54,7 +54,7 @@ class DeckText:
 
     @property
     def name(self) -> str:
-        """The file's name as it can be shown, whatever bytes the disk has for it."""
+        """Printable file name, even if its bytes are not valid text."""
         return os.fsencode(self.path.name).decode("utf-8", "backslashreplace")
 
     @property
@@ -63,15 +63,15 @@ class DeckText:
         return self.mark + self.data
 
     def line(self, number: int) -> str:
-        """The line with an index, without its end."""
+        """Return the line with an index, without its line end."""
         return self.data[self.begins[number] : self.ends[number]].decode("latin-1")
 
     def line_of(self, offset: int) -> int:
-        """The index of the line with a byte."""
+        """Return the index of the line with a byte."""
         return max(int(np.searchsorted(self.begins, offset, side="right")) - 1, 0)
 
     def first_per_line(self, code: int) -> Ints:
-        """(l,) the first offset of a character in every line, its end where it has none."""
+        """Return the first offset of a character in every line (l,), or the end of the line."""
         found = _offsets_of(self.codes, code).astype(self.begins.dtype)
         if not len(found):
             return self.ends
@@ -83,18 +83,18 @@ class DeckText:
         return first
 
     def columns(self, begins: Ints, ends: Ints, width: int) -> Codes:
-        """(n, width) character codes from offsets (n,) on; behind `ends` (n,) all is blank."""
+        """Return character codes (n, width) from offsets (n,); all after `ends` (n,) is blank."""
         at = begins[:, None].astype(np.int64) + np.arange(width)
         inside = at < ends[:, None]
         found = self.codes[np.where(inside, at, 0)] if len(self.codes) else inside.astype(np.uint8)
         return np.where(inside, found, np.uint8(_BLANK))
 
     def matches(self, pattern: bytes) -> list[re.Match[bytes]]:
-        """Where a pattern, with the flags i and m, is found."""
+        """Return the matches of a pattern, with the flags i and m."""
         return list(re.finditer(pattern, self.data, re.IGNORECASE | re.MULTILINE))
 
     def error(self, line: int, what: str, todo: str = "correct the card") -> FileError:
-        """A FileError at a line, from 0."""
+        """Return a FileError at a line, from 0."""
         return FileError(self.path, what, todo, int(line) + 1)
 
 
@@ -112,10 +112,9 @@ Edit = tuple[Ints, Ints, list[bytes]]
 
 
 def write_edited(text: DeckText, out: BinaryIO, blocks: Iterable[Edit]) -> None:
-    """Write a file with some of its bytes exchanged.
+    """Write a file with some of its bytes replaced.
 
-    blocks: offsets of what is replaced (n,), lengths (n,), and what is put there; all in the order
-    of the offsets.
+    blocks has offsets (n,), lengths (n,) and new texts, in ascending order of the offsets.
     """
     done = 0
     out.write(text.mark)

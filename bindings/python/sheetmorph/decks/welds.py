@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far welds and fasteners are from the sheets that they join, before and after."""
+"""Distances of welds and fasteners from their sheets, before and after."""
 
 from __future__ import annotations
 
@@ -19,14 +19,17 @@ from .shells import Sheet
 if TYPE_CHECKING:
     from .. import _core
 
-# Sheets that a weld's point is nearer to than this, in middle edges, may be what it joins.
+# Largest distance of a weld point from its sheets, in median edge lengths, and number of sheets.
 REACH, _MOST = 3.0, 2
 
 
 @dataclass(frozen=True)
 class WeldGaps:
-    """A weld: where it stands; its distances, mm, from the two nearest sheets (from one where there
-    is no other near), or between its two nodes where these are nodes of sheets."""
+    """A weld with its distances, mm, before and after.
+
+    They are those from the two nearest sheets, from one if no other is near, or between its two
+    nodes if these belong to sheets.
+    """
 
     place: Place
     before: tuple[float, ...]
@@ -39,7 +42,7 @@ class WeldGaps:
 
 
 def weld_gaps(deck: Deck, sheet: Sheet, positions: Floats) -> list[WeldGaps]:
-    """All welds of a deck that have a point near a sheet, its nodes at (n, 3) positions."""
+    """Return all welds with a point near a sheet, for nodes at positions (n, 3)."""
     blocks = [block for block in deck.elements if block.kind == "weld"]
     if not blocks or not len(sheet.triangles):
         return []
@@ -74,7 +77,7 @@ def _gaps(deck: Deck, block: Elements, given: tuple[Any, ...]) -> list[WeldGaps]
 
 
 class _Sheets:
-    """The sheets of a deck that hang together, each with trees of before and after."""
+    """The connected sheets of a deck, each with search trees before and after."""
 
     def __init__(self, rest: Floats, moved: Floats, triangles: Ints):
         self._reach = REACH * middle_edge(rest, triangles)
@@ -90,7 +93,7 @@ class _Sheets:
         self._trees: dict[tuple[int, int], _core.PickingTree] = {}
 
     def gaps(self, before: Floats, after: Floats) -> tuple[tuple[float, ...], ...]:
-        """Distances of a point from the nearest sheets, the nearest first, before and after."""
+        """Return the distances of a point from the nearest sheets, before and after."""
         low, high = self._boxes[:, 0], self._boxes[:, 1]
         away = np.linalg.norm(np.maximum(np.maximum(low - before, before - high), 0.0), axis=1)
         near = [

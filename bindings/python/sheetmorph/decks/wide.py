@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""GRID cards of moved nodes written anew in large fields: 16 characters a number instead of 8."""
+"""GRID cards of moved nodes rewritten in large fields, with 16 in place of 8 characters."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from .text import DeckText
 
 
 def is_small_grid(text: DeckText, line: int) -> bool:
-    """Whether a line is a GRID card in columns of 8, without tabs."""
+    """Return whether a line is a GRID card in columns of 8, without tabs."""
     shown = _body(text, line)
     return shown[:8].upper().strip() == "GRID" and "\t" not in shown and "," not in shown[:10]
 
 
 def wide_grid(text: DeckText, line: int, numbers: Sequence[str]) -> tuple[int, int, bytes]:
-    """(offset, length, bytes) that make a small GRID card a large one with three numbers."""
+    """Return (offset, length, bytes) that replace a small GRID card by a large one."""
     body = _body(text, line)
     fields = [body[8 + 8 * k : 16 + 8 * k].strip() for k in range(8)]
     x, y, z = numbers

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Mesh files: read a part, write the same file again with other coordinates."""
+"""Mesh files: read a part, and write the same file again with other coordinates."""
 
 from __future__ import annotations
 
@@ -37,17 +37,17 @@ _READERS: dict[str, Callable[[Path], PartFile]] = {
 
 
 def suffixes() -> list[str]:
-    """The file name endings that read_part() takes."""
+    """Return the file name suffixes that read_part() supports."""
     return sorted([*_READERS, *CAD_SUFFIXES])
 
 
 def is_cad(path: str | Path) -> bool:
-    """Whether a file is read by meshing what it holds."""
+    """Return whether a file is a CAD file, which must be meshed."""
     return unpacked_name(path).suffix.lower() in CAD_SUFFIXES
 
 
 def output_name(path: str | Path) -> str:
-    """The name under which a run writes the file; deformed CAD parts are meshes, in OBJ."""
+    """Return the file name that a run writes; deformed CAD parts are meshes in OBJ."""
     place = unpacked_name(path)
     return f"{place.stem}.obj" if is_cad(place) else place.name
 
@@ -57,11 +57,26 @@ def read_part(
     meshing: Mapping[str, float] | None = None,
     progress: Callable[[float, str], bool] | None = None,
 ) -> PartFile:
-    """A part from a file: ``.mesh`` (PartMesh, doubles) and ``.write(path, positions)``.
+    """Read a part from a file.
 
-    meshing: how finely a CAD file is meshed, `edge` and `deflection` in mm, `angle` in degrees;
-    progress(fraction, task), called while one is, may return False to cancel (RuntimeError).
-    Raises FileError if the file is missing, empty, cut short, corrupt or of an unknown format.
+    Parameters
+    ----------
+    path : str or path
+        The file.
+    meshing : mapping, optional
+        Mesh sizes for a CAD file: `edge` and `deflection` in mm, `angle` in degrees.
+    progress : callable, optional
+        progress(fraction, task) is called while a CAD file is meshed; False cancels (RuntimeError).
+
+    Returns
+    -------
+    PartFile
+        The file, with the ``mesh`` (PartMesh) and ``write(path, positions)``.
+
+    Raises
+    ------
+    FileError
+        If the file is missing, empty, truncated, corrupt or of an unknown format.
     """
     place = Path(path)
     suffix = unpacked_name(place).suffix.lower()
@@ -79,7 +94,7 @@ def read_part(
 
 
 def _with_properties(file: PartFile) -> PartFile:
-    """The same, its properties among what a group can be called."""
+    """Add the property ids of a deck to the labels of its mesh."""
     if file.properties is not None:
         names = [f"PID {number}" for number in np.unique(file.properties).tolist()]
         labels = (file.mesh.labels or Labels()).with_groups(by_key(names, file.properties))

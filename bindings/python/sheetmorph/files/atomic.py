@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Several files that appear together, whole, or not at all."""
+"""Files that appear together and complete, or not at all."""
 
 from __future__ import annotations
 
@@ -20,14 +20,22 @@ from .signals import postponed
 
 
 class FileSet:
-    """Files written under temporary names beside their places and renamed together.
+    """Files that are written under temporary names beside their targets and renamed together.
 
-    Use it in a ``with`` block; leaving the block without ``commit()`` removes the temporaries.
-    ``committed`` is true as soon as every file has its name. flushed: whether the files are on the
-    disk before they get their names; whoever says no sees to it by himself. ``force``: whether
-    files that the program did not write are written over; ``reads``: those that are never written
-    over, as what is written was made of them; by: the command that writes, which may replace what
-    it wrote before; is_own: the folder is the program's own, where everything may be replaced.
+    Use it in a ``with`` block; leaving the block without ``commit()`` removes the temporary files.
+    ``committed`` is true once every file has its name. ``force`` allows to overwrite files that
+    SheetMorph did not write. Files in ``reads`` are inputs and never overwritten.
+
+    Parameters
+    ----------
+    by : str
+        The command that writes; it may replace its own earlier files.
+    flushed : bool
+        Flush the files to disk before they get their names; if False, the caller must do this.
+    force : bool
+        Initial value of the attribute.
+    is_own : bool
+        The folder belongs to SheetMorph, so every file in it may be replaced.
     """
 
     def __init__(
@@ -55,9 +63,9 @@ class FileSet:
             raise _of_target(error, pending) from error
 
     def temporary_for(self, path: Path, by: str = "") -> Path:
-        """A new name beside `path`, hidden, with the same suffix (readers go by it).
+        """Return a new hidden name beside `path` with the same suffix, which readers need.
 
-        by: what writes it, if it is not the command of the set. Raises FileError if the folder does
+        by names the writer if it is not the command of the set. Raises FileError if the folder does
         not exist.
         """
         if not path.parent.is_dir():
@@ -70,7 +78,7 @@ class FileSet:
 
     @contextmanager
     def named(self, temporary: Path) -> Iterator[None]:
-        """Errors inside that are about the temporary tell the name that people know."""
+        """Convert errors on a temporary file to errors on its target."""
         final = dict(self._pending)[temporary]
         try:
             yield
@@ -82,11 +90,10 @@ class FileSet:
             raise _of_target(error, [(temporary, final)]) from error
 
     def commit(self) -> None:
-        """Give every file its name, with SIGINT, SIGTERM and SIGHUP put off meanwhile.
+        """Rename all files to their targets, with SIGINT, SIGTERM and SIGHUP postponed.
 
-        Raises FileError, also for a file that a recipe beside it reads and that would be another
-        one, OccupiedError for one that the program did not write; then every place is as it was
-        before.
+        Raises FileError, also if another recipe in the folder reads a target that would change, and
+        OccupiedError for a file that SheetMorph did not write. Every target then is as before.
         """
         places = [final for _temporary, final in self._pending]
         for temporary, final in self._pending:
@@ -108,9 +115,11 @@ class FileSet:
             self._ledger.add((path, self._other.get(path, self._by)) for path in made)
 
     def require_ours(self, path: Path, by: str = "") -> None:
-        """Raises FileError if what is written is made of a file, OccupiedError if the file stands
-        there, this command did not write it and `force` does not say to go on; by: as for
-        temporary_for()."""
+        """Check that a target may be written; see temporary_for() for by.
+
+        Raises FileError if the file is an input, and OccupiedError if it exists, this command did
+        not write it and `force` is false.
+        """
         if by:
             self._other[path] = by
         if not path.exists():
@@ -126,8 +135,11 @@ class FileSet:
 
 
 def _of_target(error: OSError, pairs: list[tuple[Path, Path]]) -> OSError:
-    """The error with the target's name in place of its temporary's. A write that fails, as on a
-    full disk, names no file: the last of the files (temporary, final) is the one being written."""
+    """Return the error with the target's name in place of the temporary one.
+
+    A failed write, as on a full disk, names no file. The last of the (temporary, final) files is
+    then the current one.
+    """
     if error.filename is None:
         final: Path | None = pairs[-1][1]
     else:
@@ -136,13 +148,13 @@ def _of_target(error: OSError, pairs: list[tuple[Path, Path]]) -> OSError:
 
 
 def flush(path: Path) -> None:
-    """Returns when a file is on the disk."""
+    """Flush a file to disk."""
     with open(path, "rb") as written:
         os.fsync(written.fileno())
 
 
 def flush_folder(folder: Path) -> None:
-    """Returns when the names in a folder are on the disk, where a system can tell."""
+    """Flush the names in a folder to disk, where the system supports it."""
     with suppress(OSError):
         opened = os.open(folder, os.O_RDONLY)
         try:
@@ -152,10 +164,10 @@ def flush_folder(folder: Path) -> None:
 
 
 def require_file_place(path: Path) -> None:
-    """Raises FileError where something stands that is not a file, or no file can be made."""
+    """Check that a path is a file or can become one. Raises FileError."""
     try:
         kind = os.stat(path).st_mode
-    except OSError:  # nothing is there, or a link to nothing
+    except OSError:  # the path does not exist, or is a broken link
         kind = stat.S_IFREG
     if stat.S_ISDIR(kind):
         raise FileError(path, "it is a folder", "name a file, or remove the folder")
@@ -171,13 +183,13 @@ def _hidden(path: Path) -> Path:
 
 
 def temporaries_of(path: Path) -> list[Path]:
-    """Return the temporaries beside a file, of a process that writes it or that was killed."""
+    """Return the temporary files beside a file, from a running or a killed process."""
     name = re.compile(rf"\.{re.escape(path.stem)}\.[0-9a-f]{{8}}\.tmp{re.escape(path.suffix)}")
     return [there for there in path.parent.iterdir() if name.fullmatch(there.name)]
 
 
 def _rename_all(pairs: list[tuple[Path, Path]]) -> None:
-    """All of the files (temporary, final), or none."""
+    """Rename all (temporary, final) files, or none."""
     backups: list[tuple[Path, Path | None]] = []
     current = Path()
     try:
@@ -195,13 +207,13 @@ def _rename_all(pairs: list[tuple[Path, Path]]) -> None:
 
 
 def _kept(final: Path) -> Path | None:
-    """A second name for what stands at `final`; None if nothing does."""
+    """Keep the file at `final` under a second name; return None if there is none."""
     if not os.path.lexists(final):
         return None
     kept = _hidden(final)
     try:
         os.link(final, kept, follow_symlinks=False)
-    except OSError:  # file systems without links
+    except OSError:  # the file system has no hard links
         os.rename(final, kept)
     return kept
 
@@ -212,14 +224,15 @@ def _put_back(final: Path, kept: Path | None) -> bool:
             final.unlink(missing_ok=True)
         else:
             os.replace(kept, final)
-            kept.unlink(missing_ok=True)  # a rename between two names of one file does nothing
+            # os.replace() does nothing if both names are links to one file
+            kept.unlink(missing_ok=True)
     except OSError:
         return False
     return True
 
 
 def _remove(kept: Path | None) -> None:
-    """Remove a backup; one that stays does no harm, so it does not make a success a failure."""
+    """Remove a backup; a failure is harmless and does not turn a success into an error."""
     try:
         if kept is not None:
             kept.unlink()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Recipes beside files that are about to be written: what they read is not written over."""
+"""Protection of files that recipes in the output folder read."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from .reading import read_text
 
 
 def require_unread(path: Path, replaced: Collection[Path]) -> None:
-    """Raises FileError if a recipe in the folder of `path` reads the file that stands there.
+    """Check that no recipe in the folder of `path` reads the file. Raises FileError.
 
-    replaced: what is written with it; a recipe among them is no longer what it was.
+    Recipes among the replaced files do not count, because their content changes.
     """
     if not path.exists():
         return
@@ -30,12 +30,12 @@ def require_unread(path: Path, replaced: Collection[Path]) -> None:
 
 
 def _is_temporary(path: Path) -> bool:
-    """Whether a file was never given its name: its write goes on, or was killed."""
+    """Return whether a file still has its temporary name, from a running or a killed process."""
     return path.name.startswith(".") and path.stem.endswith(".tmp")
 
 
 def _read_by(path: Path) -> set[Path]:
-    """The mesh files that a recipe names; none if the file is no recipe."""
+    """Return the mesh files of a recipe, or an empty set for any other file."""
     try:
         text = read_text(path)
         is_toml = path.suffix.lower() == ".toml"

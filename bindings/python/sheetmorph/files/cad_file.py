@@ -14,7 +14,6 @@ import numpy as np
 
 from ..arrays import Floats
 from ..errors import FileError, fault_of
-from ..kernel import load_cad
 from ..labels import CadFace, Labels
 from ..part_mesh import PartMesh
 from ..progress import Progress
@@ -98,7 +97,9 @@ def read_cad(
 
 def read_shape(text: str, name: str, meshing: Mapping[str, float] | None = None) -> Any:
     """The kernel's CadModel of one shape as the text of a BREP file. Raises ValueError."""
-    return load_cad().read_brep(text, name, _sizes(meshing or {}))
+    from .. import cad  # its worker is started by whoever reads a shape, and by nobody else
+
+    return cad.read_brep(text, name, _sizes(meshing or {}))
 
 
 def part_meshes(model: Any) -> list[PartMesh]:
@@ -156,11 +157,12 @@ def _sizes(meshing: Mapping[str, float]) -> dict[str, float]:
 
 
 def _read(path: Path, meshing: Mapping[str, float], progress: Progress | None) -> Any:
-    core = load_cad()
+    from .. import cad
+
     if path.stat().st_size == 0:
         raise FileError(path, "the file is empty", "export it again")
     try:
-        return core.read_cad(str(path.absolute()), _sizes(meshing), progress)
+        return cad.read_cad(str(path.absolute()), _sizes(meshing), progress)
     except ValueError as error:
         fault = fault_of(error, "export it again")
         raise FileError(path, fault.what, fault.todo) from None

@@ -12,7 +12,6 @@ import numpy as np
 
 from ..arrays import Floats
 from ..errors import FileError, fault_of
-from ..kernel import load_cad
 from ..progress import Progress
 from .cad_file import CadFile
 from .part_file import PartFile
@@ -67,6 +66,8 @@ def write_model(
     progress: Progress | None = None,
 ) -> list[dict[str, Any]]:
     """The same for a CadModel of the kernel with positions (n, 3) of each of its parts."""
+    from ..cad import write_cad
+
     wanted = {
         "format": writing.format,
         "tolerance": writing.tolerance,
@@ -74,10 +75,7 @@ def write_model(
     }
     arrays = [np.ascontiguousarray(one, dtype=np.float64) for one in positions]
     try:
-        found: list[dict[str, Any]] = load_cad().write_cad(
-            model, arrays, str(path.absolute()), wanted, progress
-        )
-        return found
+        return write_cad(model, arrays, str(path.absolute()), wanted, progress=progress)
     except ValueError as error:
         fault = fault_of(error, "look at the part")
         raise FileError(path, fault.what, fault.todo) from None

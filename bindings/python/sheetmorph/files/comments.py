@@ -10,7 +10,7 @@ _STRING_OR_LAST_COMMA = re.compile(r'"(?:\\.|[^"\\\n])*"|,(?=\s*[}\]])')
 
 
 def plain_json(text: str) -> str:
-    """The JSON without comments and last commas; blanks in their places, so that places stay."""
+    """Replace comments and trailing commas by blanks, so that error positions stay correct."""
     for pattern, start in ((_STRING_OR_COMMENT, "/"), (_STRING_OR_LAST_COMMA, ",")):
         text = pattern.sub(
             lambda found: _blank(found[0]) if found[0][0] == start else found[0], text

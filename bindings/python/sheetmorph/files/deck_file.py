@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Decks as part files: the sheet is the mesh, what is written is the deck with its includes."""
+"""Decks as part files: the mesh is the sheet, and the output is the deck with its includes."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ _KEEP = ", what rounding explains: make a form feature of its nodes, which keeps
 
 
 class DeckFile(PartFile):
-    """A deck; vertex ids are node ids, vertices the nodes of its shell elements in file order.
+    """A deck as a part; vertices are the nodes of its shells in file order, ids are node ids.
 
-    deck: all that it says; sheet: its shells; settings: `passengers` and `joints` of a recipe's
-    part.
+    deck has the whole content and sheet the shells. settings are `passengers` and `joints` of the
+    part entry in the recipe.
     """
 
     def __init__(self, path: Path):
@@ -65,7 +65,10 @@ class DeckFile(PartFile):
         return output_places(self.deck.texts, folder / self.output_name)
 
     def _labels(self, ids: Ints) -> Labels:
-        """The sets as groups: "SET 3", and "SET 3 nodes" or "SET 3 elements" if it may be both."""
+        """Return the sets as groups.
+
+        A set is named "SET 3", or "SET 3 nodes" and "SET 3 elements" if both are possible.
+        """
         groups: dict[str, Ints] = {}
         nodes: dict[str, list[int]] = {}
         raw = self.deck.raw
@@ -85,7 +88,7 @@ class DeckFile(PartFile):
         return Labels(groups, nodes)
 
     def _rows_of(self, one: NamedSet) -> Ints:
-        """The triangles of a set of elements or properties."""
+        """Return the triangles of a set of elements or properties."""
         if one.kind == "nodes":
             return np.empty(0, dtype=np.int64)
         of = self.sheet.properties if one.kind == "properties" else self.sheet.elements
@@ -130,12 +133,12 @@ class DeckFile(PartFile):
         return found
 
     def _all(self, positions: Floats) -> Floats:
-        """(n, 3) positions of all nodes of the deck."""
+        """Return the positions (n, 3) of all nodes of the deck."""
         return self._carried(positions).positions
 
     @property
     def passengers(self) -> Passengers:
-        """What hangs on the sheet."""
+        """Everything attached to the sheet."""
         if self._passengers is None:
             rules = rules_of(self.settings.get("passengers"))
             self._passengers = Passengers(self.deck, self.sheet, rules)
@@ -148,35 +151,35 @@ class DeckFile(PartFile):
 
     @property
     def corner_faces(self) -> Ints:
-        """(m, 4) rows of ``mesh`` at the corners of the shells, -1 in the last one of triangles."""
+        """Vertex indices (m, 4) at the shell corners; the last one is -1 for triangles."""
         return self.sheet.faces
 
     def faces_among(self, vertices: Ints) -> Ints:
-        """(e, 4) the same of the shells among vertices (k,), as rows of those."""
-        row = np.full(len(self.mesh.points) + 1, -1, dtype=np.int32)  # the last one stands for -1
+        """Return the corner faces (e, 4) of shells among vertices (k,), as indices into these."""
+        row = np.full(len(self.mesh.points) + 1, -1, dtype=np.int32)  # the last entry maps -1 to -1
         row[vertices] = np.arange(len(vertices))
         faces = row[self.sheet.faces]
         found: Ints = faces[(faces[:, :3] >= 0).all(axis=1)]
         return found
 
     def shells_of(self, rows: Ints) -> list[Shells]:
-        """The properties of some of the triangles (k,)."""
+        """Return the shell properties of some triangles (k,)."""
         return shells_of(self.deck, self.sheet, rows)
 
     def thickness_of(self, rows: Ints) -> float:
         return thickness_of(self.deck, self.sheet, rows)
 
     def told(self, positions: Floats) -> dict[str, Any]:
-        """What hangs on the sheet, how its joints hold, and what the motion leaves wrong."""
+        """Return the report entry: attached nodes, joints, and data that the motion makes stale."""
         return self._told(self._carried(self._checked(positions)))
 
     def told_of(self, nodes: Floats) -> dict[str, Any]:
-        """The same of a deck that was written, with its nodes at (n, 3) positions."""
+        """Return the report entry of a written deck with all nodes at positions (n, 3)."""
         rules = self._carried(nodes[self.sheet.nodes])
         return self._told(Carried(nodes, rules.counts, rules.left))
 
     def stored_deck(self, path: Path) -> Deck:
-        """The deck as it was written. Raises FileError if it has other nodes."""
+        """Return the written deck. Raises FileError if it has other nodes."""
         found = self._read_again(path)
         if not np.array_equal(found.ids, self.deck.ids):
             what = f"it has other nodes than {self.path.name}"
@@ -227,19 +230,19 @@ class DeckFile(PartFile):
         return self.stored_nodes(path)[self.sheet.nodes]
 
     def stored_nodes(self, path: Path) -> Floats:
-        """(n, 3) all nodes of the deck as it was written; the same files are read again once."""
+        """Return all node positions (n, 3) of the written deck; an unchanged file is read once."""
         state = _state_of(self._written_at(path).values())
         if self._stored is None or not state or self._stored[0] != state:
             self._stored = state, self.stored_deck(path).points
         return self._stored[1]
 
     def _read_again(self, path: Path) -> Deck:
-        """The deck as it was written at `path`."""
+        """Read the written deck at `path`."""
         written = self._written_at(path)
         return read_deck(self.path, lambda asked: read_bytes(written.get(asked, asked)))
 
     def _written_at(self, path: Path) -> dict[Path, Path]:
-        """Where its files were written, includes at their places or still unnamed."""
+        """Return the paths of the written files, which may still be temporary."""
         texts = self.deck.texts
         places = dict(zip((text.path for text in texts), output_places(texts, path)))
         return {**places, **self._written} if self._is_unnamed(path) else places
@@ -249,7 +252,7 @@ class DeckFile(PartFile):
 
 
 def _state_of(places: Iterable[Path]) -> list[tuple[int, ...]]:
-    """What tells files from others of the same names; nothing if one is missing."""
+    """Return data that identify file versions; an empty list if a file is missing."""
     try:
         found = [place.stat() for place in places]
     except OSError:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether two paths are one file, by any spelling, link or hard link."""
+"""Comparison of paths across spellings, symbolic links and hard links."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from pathlib import Path
 
 
 def identity(path: Path) -> Hashable:
-    """Return what two paths share if they are one file, or would be once they exist."""
-    place = path.resolve()  # first: a folder on the way to it need not exist yet
+    """Return a key that is equal for two paths of one existing or future file."""
+    place = path.resolve()  # resolve() comes first because a folder in the path can be missing
     try:
         found = place.stat()
     except OSError:

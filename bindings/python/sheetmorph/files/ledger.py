@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which files the program wrote: only these may be written over without being asked to.
+"""Record of the files that SheetMorph wrote, which it may overwrite without --force.
 
-One line a file in the user's folder for the state of programs: its size, its time of change in
-nanoseconds, what wrote it (run, find, ...) and its path. A file that somebody changed since, or
-that another command wrote, is not ours to replace.
+The ledger has one line for each file in the state folder of the user: size, modification time in
+nanoseconds, the command (run, find, ...) and the path. A file that changed later, or that another
+command wrote, must not be replaced.
 """
 
 from __future__ import annotations
@@ -16,18 +16,18 @@ from contextlib import suppress
 from functools import cached_property
 from pathlib import Path
 
-# Bytes of the ledger from which its older half is forgotten.
+# Size of the ledger, bytes, above which its older half is removed.
 _LARGEST = 4_000_000
 
 
 class Ledger:
-    """place: the file of the ledger, that of the user if None."""
+    """The ledger of written files, by default that of the user."""
 
     def __init__(self, place: Path | None = None) -> None:
         self._place = place or _of_user()
 
     def has(self, path: Path, by: str) -> bool:
-        """Whether a command wrote the file, and it stayed as it was written."""
+        """Return whether the command wrote the file and nobody changed it since."""
         with suppress(OSError):
             return self._lines.get(_name_of(path)) == _line_of(path, by)
         return False
@@ -43,14 +43,14 @@ class Ledger:
             if self._place.exists() and self._place.stat().st_size > _LARGEST:
                 kept = list(_read(self._place).values())
                 self._place.write_text("".join(kept[len(kept) // 2 :]), "utf-8")
-            # One write to the end, so that processes beside each other lose no line.
+            # A single append, so that concurrent processes lose no line.
             with self._place.open("ab") as file:
                 file.write(text.encode("utf-8"))
             self.__dict__.pop("_lines", None)
 
     @cached_property
     def _lines(self) -> dict[str, str]:
-        """Read once for all files of a command."""
+        """The lines by path, read once for all files of a command."""
         return _read(self._place)
 
 

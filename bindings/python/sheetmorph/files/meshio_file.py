@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""VTK, VTU and further formats through meshio, whose errors become ours."""
+"""VTK, VTU and other formats through meshio."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .part_file import PartFile
 from .polygons import SPLIT_IT, triangulate
 from .text import check_points, read_bytes
 
-# Formats of one file each whose coordinates meshio both reads and writes without loss.
+# Single-file formats whose coordinates meshio reads and writes without loss.
 SUFFIXES = {
     ".vtk": "vtk",
     ".vtu": "vtu",
@@ -32,7 +32,7 @@ _CURVED = frozenset({"triangle6", "triangle7", "quad8", "quad9"})
 
 
 class MeshioFile(PartFile):
-    """A file read and written as a whole by meshio: data arrays are kept, comments are not."""
+    """A file that meshio reads and writes as a whole: data arrays are kept, comments are not."""
 
     def __init__(self, path: Path):
         self._mesh = _read(path)
@@ -57,7 +57,7 @@ class MeshioFile(PartFile):
         try:
             with _quiet():
                 meshio.write(path, changed, file_format=form, **options)
-        except Exception as error:  # meshio raises whatever its writers stumble over
+        except Exception as error:  # meshio's writers raise errors of any type
             what = f"meshio cannot write it ({_reason(error)})"
             raise FileError(self.path, what, "convert the part to VTU or PLY") from error
         if form == "vtu" and not options["binary"]:
@@ -72,10 +72,10 @@ class MeshioFile(PartFile):
 
 
 def _quiet() -> contextlib.ExitStack:
-    """meshio prints its errors; ours go to the user once, as one line."""
+    """Suppress the output of meshio, which the reader replaces by one line."""
     stack = contextlib.ExitStack()
     stack.enter_context(warnings.catch_warnings())
-    # numpy only warns where a text file holds something else than the promised numbers.
+    # numpy only warns if a text file has other data than the promised numbers.
     warnings.filterwarnings("error", message="string or file could not be read")
     stack.enter_context(contextlib.redirect_stdout(io.StringIO()))
     stack.enter_context(contextlib.redirect_stderr(io.StringIO()))
@@ -95,7 +95,8 @@ def _read(path: Path) -> Any:
     try:
         with _quiet():
             mesh = meshio.read(path, file_format=SUFFIXES[path.suffix.lower()])
-    except (Exception, SystemExit) as error:  # it also exits the interpreter on a bad file
+    # meshio raises any type and may even exit the interpreter
+    except (Exception, SystemExit) as error:
         what = f"meshio cannot read it ({_reason(error)})"
         raise FileError(path, what, "check the file, or export it as VTU or PLY") from error
     wanted = _VTK_CELLS.search(data) if path.suffix.lower() == ".vtk" else None
@@ -128,7 +129,7 @@ def _part_mesh(path: Path, points: Floats, blocks: list[Any]) -> PartMesh:
 
 
 def _write_all_digits(path: Path, points: Floats) -> None:
-    """meshio writes 12 digits into a text VTU, too few for a double."""
+    """Rewrite the points of a text VTU, because meshio's 12 digits truncate doubles."""
     numbers = "\n".join(map(repr, points.astype(np.float64).ravel().tolist()))
     pattern = rb"(<Points>.*?<DataArray[^>]*>)[^<]*(</DataArray>)"
     text = re.sub(
@@ -142,7 +143,7 @@ def _write_all_digits(path: Path, points: Floats) -> None:
 
 
 def _form(path: Path) -> tuple[str, dict[str, bool]]:
-    """meshio's name of the format to write, text or binary as the file at `path` is."""
+    """Return meshio's format name, and text or binary as in the file at `path`."""
     form = SUFFIXES[path.suffix.lower()]
     head = path.read_bytes()
     if form == "vtk":

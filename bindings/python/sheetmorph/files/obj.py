@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Wavefront OBJ: only the coordinates of its `v` lines are rewritten."""
+"""Wavefront OBJ: only the coordinates in its `v` lines are rewritten."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ _COMMENT_OR_JOIN = re.compile(rb"#[^\r\n]*|\\(?:\r\n|\n|\r)")
 _NEXT = re.compile(rb"[ \t]*[vf][ \t]")
 _STATEMENT = re.compile(rb"^[^\S\n]*([^\s#]+)([^\n#]*)", re.MULTILINE)
 _CORNER = re.compile(rb"([+-]?\d+)(?:/(?:[+-]?\d+)?){0,2}")
-# Statements of the format besides those of a polygon mesh: the first ones say nothing of its shape,
-# the others are surfaces, curves and files that are not read.
+# Statements besides those of a polygon mesh. The first set does not affect the shape. The second
+# set has surfaces, curves and files that the reader skips.
 _WITHOUT_SHAPE = frozenset(
     b"vt vn vp l p s mg mtllib cstype deg bmat step parm trim hole scrv sp end con bevel c_interp "
     b"d_interp lod usemap maplib shadow_obj trace_obj ctech stech csh".split()
@@ -29,7 +29,7 @@ _NAMES = (b"g", b"o", b"usemtl")
 
 
 def _logical_lines(source: Source) -> bytes:
-    """The same text, offset for offset, continued lines joined and every line end a \\n."""
+    r"""Join continued lines and normalise line ends to \n; all byte offsets stay the same."""
 
     def joined(match: re.Match[bytes]) -> bytes:
         found = match.group()
@@ -45,7 +45,7 @@ def _logical_lines(source: Source) -> bytes:
 
 
 class _Groups:
-    """The names that `g`, `o` and `usemtl` give to the faces behind them."""
+    """The names that `g`, `o` and `usemtl` give to the faces after them."""
 
     def __init__(self) -> None:
         self._now: dict[str, list[str]] = {}
@@ -53,7 +53,7 @@ class _Groups:
         self._ranges: dict[str, list[tuple[int, int]]] = {}
 
     def begin(self, key: bytes, names: bytes, face: int) -> None:
-        """A statement before the face with this number; of `g` every word is a name."""
+        """Start a group before the face with this number; every word of a `g` line is a name."""
         kind, text = key.decode(), names.decode("utf-8", "replace").strip()
         self._end(kind, face)
         words = text.split() if kind == "g" else [" ".join(text.split())]
@@ -66,7 +66,7 @@ class _Groups:
                 self._ranges.setdefault(name, []).append((self._begun[kind], face))
 
     def labels(self, faces: list[list[int]]) -> Labels | None:
-        """The names of groups of triangles; None if the file has none."""
+        """Return the names of the triangle groups, or None if the file has none."""
         for kind in self._now:
             self._end(kind, len(faces))
         first = np.cumsum([0, *(len(face) - 2 for face in faces)])
@@ -78,7 +78,7 @@ class _Groups:
 
 
 class ObjFile(TextPartFile):
-    """An OBJ file: groups, normals, colours, comments and continued lines come back untouched."""
+    """An OBJ file; groups, normals, colours, comments and continued lines stay unchanged."""
 
     @classmethod
     def parse(cls, source: Source) -> tuple[PartMesh, CoordinateText, list[str]]:
@@ -121,7 +121,7 @@ class ObjFile(TextPartFile):
 
 
 class _Rows:
-    """Checks of the `v` lines: how many numbers they have, and that they are numbers."""
+    """Checks of the `v` lines: the count of their numbers, and their syntax."""
 
     def __init__(self, source: Source):
         self._source = source
@@ -129,7 +129,7 @@ class _Rows:
         self._has_plain = False
 
     def vertex_span(self, tokens: list[re.Match[bytes]], offset: int) -> tuple[int, ...]:
-        """Where the three coordinates of a vertex stand; a weight and a colour may follow."""
+        """Return the offsets of the three coordinates; a weight and a colour may follow."""
         count = len(tokens)
         if count not in (3, 4, 6, 7):
             what = f"a vertex with {count} coordinates instead of 3"
@@ -142,17 +142,20 @@ class _Rows:
         return tokens[0].span() + tokens[1].span() + tokens[2].span()
 
     def check(self) -> None:
-        """A number that was torn apart looks like a weight on this line alone. Raises FileError."""
+        """Reject a weight that other vertices lack, because it can be a split number.
+
+        Raises FileError.
+        """
         if self._has_plain and self._weighted is not None:
             what = "a vertex with a fourth number that is not 1, which other vertices lack"
             raise self._source.error(self._weighted, what)
 
 
 def _missing(source: Source, mesh: PartMesh, unread: Counter[bytes]) -> list[str]:
-    """What the file has besides its polygons, and what it seems to have lost.
+    """Return sentences on content beside the polygons, and on content that seems lost.
 
-    An OBJ file has no count and no last line: one that is cut off behind a face is another OBJ
-    file. Its vertices come first, so most of the lost faces leave vertices without a face.
+    An OBJ file has no counts and no end mark, so a truncated file can still be valid. Vertices come
+    first, so that most lost faces leave vertices without a face.
     """
     found = []
     for word, count in sorted(unread.items()):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""OFF with its variants (COFF, NOFF, STOFF): only the coordinates are rewritten."""
+"""OFF and its variants (COFF, NOFF, STOFF): only the coordinates are rewritten."""
 
 from __future__ import annotations
 
@@ -21,14 +21,17 @@ Tokens = list[re.Match[bytes]]
 
 
 def _lines(data: bytes) -> Iterator[Tokens]:
-    """The tokens of every line that holds any; comments are blanked, offsets kept."""
+    """Yield the tokens of every non-empty line; comments become blanks, so offsets stay correct.
+
+    Blank lines are skipped.
+    """
     text = _COMMENT.sub(lambda m: b" " * len(m.group()), data.replace(b"\r", b"\n"))
     for line in _LINE.finditer(text):
         yield list(TOKEN.finditer(text, *line.span()))
 
 
 class OffFile(TextPartFile):
-    """An OFF file: colours, normals, comments and blank lines come back untouched."""
+    """An OFF file; colours, normals, comments and blank lines stay unchanged."""
 
     @classmethod
     def parse(cls, source: Source) -> tuple[PartMesh, CoordinateText, list[str]]:
@@ -45,7 +48,7 @@ class OffFile(TextPartFile):
         for _ in range(face_count):
             tokens = _next(source, lines, f"{face_count} faces")
             face = _face(source, tokens, vertex_count)
-            # Vertices and edges may stand in the list of faces; they have no area.
+            # The face list can contain vertices and edges, which have no area.
             if len(face) > 2:
                 faces.append(face)
                 offsets.append(tokens[0].start())

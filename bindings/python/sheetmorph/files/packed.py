@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files that gzip has packed: read unpacked, written unpacked."""
+"""Files packed by gzip, which are read and written in unpacked form."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from .part_file import PartFile
 
 
 def is_packed(path: str | Path) -> bool:
-    """Whether the name says that gzip has packed the file."""
+    """Return whether the suffix is that of gzip."""
     return Path(path).suffix.lower() == ".gz"
 
 
 def unpacked_name(path: str | Path) -> Path:
-    """The path without .gz."""
+    """Return the path without .gz."""
     place = Path(path)
     return place.with_suffix("") if is_packed(place) else place
 
 
 def read_packed(path: Path, read: Callable[[Path], PartFile]) -> PartFile:
-    """What `read` makes of the unpacked file, which stays on disk as long as the result lives.
+    """Unpack a file and read it; the unpacked copy exists as long as the result.
 
     Raises FileError.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What every file format offers: a mesh, and the same file again with other coordinates."""
+"""The interface of all file formats: a mesh, and the same file with other coordinates."""
 
 from __future__ import annotations
 
@@ -16,17 +16,34 @@ from .atomic import FileSet
 
 
 class PartFile(ABC):
-    """A part as it stands in a file.
+    """A part with its file.
 
-    path; mesh: PartMesh; precision: how the file stores a coordinate ("double", "float32", "8
-    characters", "16 characters"); notes: what a user should know, for the report; missing: a
-    sentence for everything that stands in the file and not in the mesh, or that the file seems to
-    have lost; properties: (m,) property id of every triangle of a deck, None for other formats;
-    property_names: by which parts of properties are called, where the format calls them by name;
-    bodies: (k,) indices of the triangles of every part of a CAD file by name, None for other
-    formats; origin: the file of the user, another than path where it was unpacked into the folder
-    unpacked_in; is_wide: numbers get the longest fields that the format has; stem: of the file
-    that a run writes.
+    Attributes
+    ----------
+    path : Path
+        The file that was read.
+    mesh : PartMesh
+        The mesh of the part.
+    precision : str
+        Number format of a coordinate: "double", "float32", "8 characters" or "16 characters".
+    notes : list of str
+        Remarks for the report.
+    missing : list of str
+        A sentence for content that the mesh lacks or that the file seems to have lost.
+    properties : array (m,) or None
+        Property id of every triangle of a deck.
+    property_names : dict
+        Property id to part name, if the format has names.
+    bodies : dict or None
+        Body name to triangle indices (k,), for CAD files.
+    origin : Path
+        The file of the user; it differs from path if the file was unpacked.
+    unpacked_in : TemporaryDirectory or None
+        Folder of the unpacked copy.
+    is_wide : bool
+        Write numbers in the longest fields of the format.
+    stem : str
+        Name of the output file without suffix.
     """
 
     def __init__(self, path: Path, mesh: PartMesh, precision: str = "double"):
@@ -45,49 +62,128 @@ class PartFile(ABC):
 
     @property
     def output_name(self) -> str:
-        """The name of the file that a run writes."""
+        """Name of the file that a run writes."""
         return f"{self.stem}{self.path.suffix}"
 
     @property
     def files_read(self) -> list[Path]:
-        """All files that it was read from."""
+        """All files that belong to the input."""
         return [self.origin]
 
     def targets(self, folder: Path) -> list[Path]:
-        """All files that a run writes into a folder."""
+        """Return all files that a run writes into a folder.
+
+        Parameters
+        ----------
+        folder : Path
+            The output folder.
+
+        Returns
+        -------
+        list of Path
+            The files.
+        """
         return [folder / self.output_name]
 
     def thickness_of(self, _rows: Ints) -> float:
-        """What the file says of how thick some of its triangles (k,) are, mm; 0: nothing."""
+        """Return the thickness that the file gives some triangles, mm.
+
+        Parameters
+        ----------
+        _rows : array (k,), int
+            The triangles.
+
+        Returns
+        -------
+        float
+            The thickness, 0 if the file has none.
+        """
         return 0.0
 
     def told(self, positions: Floats) -> dict[str, Any] | None:
-        """For the report, what else than its mesh moves, holds or stays with its vertices at (n, 3)
-        positions; None if there is nothing else in it. ``failures`` are reasons not to write it."""
+        """Return the report entry on content besides the mesh.
+
+        Parameters
+        ----------
+        positions : array (n, 3)
+            Vertices, mm.
+
+        Returns
+        -------
+        dict or None
+            The entry; its ``failures`` are reasons not to write the file. None if there is only the
+            mesh.
+        """
         self._checked(positions)
         return None
 
     @abstractmethod
     def save(self, path: Path, positions: Floats) -> None:
-        """Write the file with its vertices at (n, 3) positions, straight to `path`."""
+        """Write the file directly to `path`.
+
+        Parameters
+        ----------
+        path : Path
+            The output file.
+        positions : array (n, 3)
+            Vertices, mm.
+        """
 
     @abstractmethod
     def stored_positions(self, path: Path) -> Floats:
-        """Read `path`, a file written by save(), again: (n, 3) positions of the same vertices."""
+        """Read back a file that save() wrote.
+
+        Parameters
+        ----------
+        path : Path
+            The written file.
+
+        Returns
+        -------
+        array (n, 3)
+            Positions of the vertices of ``mesh``, mm.
+        """
 
     def write(self, path: str | Path, positions: Floats, *, force: bool = False) -> None:
-        """Write the deformed part beside `path`, then rename: never a half file.
+        """Write the deformed part; the file appears complete or not at all.
 
-        positions: (n, 3) float64, mm, one row a vertex of ``mesh``; force: over a file that
-        SheetMorph did not write, too. Raises ValueError for another shape or numbers that are not
-        finite, FileError, OSError.
+        Parameters
+        ----------
+        path : str or path
+            The output file.
+        positions : array (n, 3), float64
+            Vertices of ``mesh``, mm.
+        force : bool
+            Overwrite a file that SheetMorph did not write.
+
+        Raises
+        ------
+        ValueError
+            For another shape or non-finite numbers.
+        FileError, OSError
+            If the file cannot be written.
         """
         with FileSet(force=force) as files:
             self.write_into(files, Path(path), positions)
             files.commit()
 
     def write_into(self, files: FileSet, path: Path, positions: Floats) -> Path:
-        """As write(), but named `path` only when `files` commits; returns the temporary's path."""
+        """Write the part as write() does; the file gets its name when `files` commits.
+
+        Parameters
+        ----------
+        files : FileSet
+            The set of files.
+        path : Path
+            The output file.
+        positions : array (n, 3), float64
+            Vertices of ``mesh``, mm.
+
+        Returns
+        -------
+        Path
+            The temporary file.
+        """
         checked = self._checked(positions)
         temporary = files.temporary_for(path)
         with files.named(temporary):
@@ -95,7 +191,20 @@ class PartFile(ABC):
         return temporary
 
     def read_back_error(self, path: str | Path, positions: Floats) -> float:
-        """Largest distance (mm) between (n, 3) positions and what the file at `path` holds."""
+        """Return the largest distance between positions and those in a file.
+
+        Parameters
+        ----------
+        path : str or path
+            The written file.
+        positions : array (n, 3)
+            Vertices, mm.
+
+        Returns
+        -------
+        float
+            The distance, mm.
+        """
         stored = self.stored_positions(Path(path))
         return float(np.linalg.norm(stored - self._checked(positions), axis=1).max(initial=0.0))
 

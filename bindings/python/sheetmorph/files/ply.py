@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""PLY, text and binary of either byte order: only the coordinates are rewritten."""
+"""PLY as text or as binary of either byte order: only the coordinates are rewritten."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ Tokens = list[re.Match[bytes]]
 
 
 class AsciiPlyFile(TextPartFile):
-    """A text PLY: colours, normals, comments and other elements come back untouched."""
+    """A text PLY; colours, normals, comments and other elements stay unchanged."""
 
     @classmethod
     def parse(cls, source: Source) -> tuple[PartMesh, CoordinateText, list[str]]:
@@ -143,9 +143,9 @@ class BinaryPlyFile(PartFile):
 def _blocks(
     source: Source, header: Header, wanted: tuple[Element, Element]
 ) -> Iterator[tuple[Element, Any]]:
-    """For vertex its byte offset, for face the lists of vertex indices; others are stepped over.
+    """Yield the byte offset of the vertex element, and the vertex lists of the face element.
 
-    Last, for an element without a name, the offset behind all.
+    Other elements are skipped. The last item is an unnamed element with the end offset.
     """
     vertex, face = wanted
     offset = header.begin
@@ -182,7 +182,7 @@ def _ends_early(source: Source, element: Element) -> Exception:
 def _walk(
     source: Source, element: Element, order: str, at: tuple[int, int]
 ) -> tuple[list[list[int]], int]:
-    """The lists of one column (-1: none) of an element, and the offset behind the element."""
+    """Return the lists in a column of an element (-1: none), and the offset after the element."""
     offset, column = at
     lists: list[list[int]] = []
     for _ in range(element.size):
@@ -207,9 +207,9 @@ def _list_size(source: Source, element: Element, count_type: np.dtype[Any], offs
 
 
 def _equal_lists(source: Source, element: Element, order: str, begin: int) -> Ints | None:
-    """Faces (m, k) of an element of one list if all have as many vertices as the first one.
+    """Return the faces (m, k) of an element if all have the same number of vertices, else None.
 
-    The quick way for the usual triangle mesh; None where it does not apply.
+    This is the fast path for triangle meshes; it needs a single list property.
     """
     if len(element.properties) != 1:
         return None
@@ -223,7 +223,7 @@ def _equal_lists(source: Source, element: Element, order: str, begin: int) -> In
 
 
 def read_ply(path: Path) -> PartFile:
-    """A text or binary PLY file. Raises FileError."""
+    """Read a text or binary PLY file. Raises FileError."""
     source = Source(path, without_mark(read_bytes(path)))
     if _IS_TEXT.search(source.data, 0, 1000):
         source = Source.of_text(path, source.data)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The header of a PLY file: elements, their properties, where the data begin."""
+"""The header of a PLY file: elements, their properties, and the start of the data."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _LONGEST_HEADER = 100_000
 
 @dataclass(frozen=True)
 class Property:
-    """A property; ``count`` is the dtype of a list's length, "" for a single number."""
+    """A property; ``count`` is the dtype of a list's length, or "" for a single number."""
 
     name: str
     dtype: str
@@ -34,21 +34,21 @@ class Property:
 
 @dataclass
 class Element:
-    """An element, e.g. vertex or face, and how many there are."""
+    """An element, such as vertex or face, with its number of records."""
 
     name: str
     size: int
     properties: list[Property] = field(default_factory=list)
 
     def index(self, *names: str) -> int:
-        """Position of the first property with one of these names, -1 if there is none."""
+        """Return the position of the first property with one of these names, or -1."""
         found = [k for k, entry in enumerate(self.properties) if entry.name in names]
         return found[0] if found else -1
 
 
 @dataclass(frozen=True)
 class Header:
-    """order: "" for text, "<" or ">" for binary; begin: byte offset of the data."""
+    """A PLY header: order is "" for text, "<" or ">" for binary; begin is the data offset."""
 
     order: str
     elements: list[Element]
@@ -56,7 +56,7 @@ class Header:
 
 
 def parse_header(source: Source) -> Header:
-    """The header of a PLY file. Raises FileError."""
+    """Parse the header of a PLY file. Raises FileError."""
     if not source.data.startswith(b"ply"):
         raise source.error(0, 'the file does not begin with "ply"', "check that it is a PLY file")
     order = None
@@ -119,7 +119,7 @@ def _add_property(source: Source, elements: list[Element], words: list[bytes], o
 
 
 def checked_elements(source: Source, header: Header) -> tuple[Element, Element]:
-    """The vertex and the face element, with x, y, z and a list of vertex indices. FileError."""
+    """Return the vertex and the face element after checks of their properties. Raises FileError."""
     by_name = {element.name: element for element in header.elements}
     for name in ("vertex", "face"):
         if name not in by_name or by_name[name].size == 0:
@@ -136,7 +136,7 @@ def checked_elements(source: Source, header: Header) -> tuple[Element, Element]:
 
 
 def check_faces(source: Source, faces: list[list[int]], vertex_count: int) -> None:
-    """Faces have 3 or more vertices, all of which exist. Raises FileError."""
+    """Check that faces have three or more valid vertices. Raises FileError."""
     for number, face in enumerate(faces):
         if len(face) < 3:
             raise source.error(0, f"face {number} has {len(face)} vertices; it needs 3 or more")
@@ -146,5 +146,5 @@ def check_faces(source: Source, faces: list[list[int]], vertex_count: int) -> No
 
 
 def scalar_dtype(element: Element, order: str) -> np.dtype[np.void]:
-    """The record of an element without lists."""
+    """Return the record type of an element without lists."""
     return np.dtype([(f"p{k}", order + p.dtype) for k, p in enumerate(element.properties)])

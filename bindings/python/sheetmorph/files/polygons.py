@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Polygons of a file split into triangles: for the stiffness alone, the file keeps its polygons."""
+"""Triangulation of polygons, needed for the solver only; the file keeps its polygons."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ import numpy as np
 from ..arrays import Bools, Floats, Ints
 
 SPLIT_IT = "split it into triangles, or into polygons that do not cross themselves"
-# Shares of the square of a polygon's longest side: what counts as no area, and how far a triangle
-# may be turned over where the digits of the file cannot say it better.
+# Shares of the squared longest edge of a polygon: below the first an area counts as zero. Triangles
+# may be inverted up to the second, because of the rounding in the file.
 _NO_AREA, _ROUNDING = 1e-12, 1e-6
 
-# The square of the diagonal that cuts a corner off; the corners before it, itself and behind it.
+# Squared length of the diagonal that cuts an ear, and its corners: previous, ear, next.
 _Entry = tuple[float, int, int, int]
 
 
@@ -28,15 +28,19 @@ def triangulate(
     faces: Sequence[Sequence[int]],
     refusal: Callable[[int, str], ValueError] = _refused,
 ) -> Ints:
-    """Triangles (m, 3) int32 of faces (each three or more vertex indices), in the faces' order.
+    """Return triangles (m, 3) int32 of faces with three or more vertices, in the order of the
+    faces.
 
-    points: (n, 3); refusal: makes the error for a face, by its number and what is wrong with it.
-    A face of k vertices gives k - 2 triangles. A quad is cut along its shorter diagonal, the one
-    from its first vertex if they are equal to rounding (so that a moved or scaled model is cut
-    alike), and along the other one if only that lies inside it. A polygon fans out from its first
-    vertex if all of it can be seen from there; any other loses one ear after the other. A polygon
-    may touch itself, as one does whose holes are connected to its outline by bridges. Raises the
-    error for a polygon that crosses itself.
+    points is (n, 3). refusal makes the error from a face number and a problem. A face of k vertices
+    gives k - 2 triangles.
+
+    A quad is cut along its shorter diagonal, or along the other one if only that lies inside. If
+    both are equal up to rounding, the diagonal from the first vertex is used, so that a moved or
+    scaled model is cut in the same way.
+
+    A larger polygon becomes a fan around its first vertex if the whole polygon is visible from
+    there. Otherwise its ears are cut off. A polygon may touch itself, as with bridges between holes
+    and outline. A polygon that crosses itself raises the error.
     """
     sizes = np.fromiter((len(face) for face in faces), dtype=np.int64, count=len(faces))
     owners, triangles = [], []
@@ -65,13 +69,13 @@ def _fan(block: Ints) -> Ints:
 
 
 def _normals(points: Floats, triangles: Ints) -> Floats:
-    """Twice the areas of triangles (..., 3) along their normals: (..., 3)."""
+    """Return normals (..., 3) of triangles (..., 3), twice as long as the area."""
     a, b, c = (points[triangles[..., k]] for k in range(3))
     return np.asarray(np.cross(b - a, c - a))
 
 
 def _are_sound(points: Floats, polygons: Ints, triangles: Ints) -> Bools:
-    """(f,) whether all triangles (f, k, 3) of each polygon (f, k + 2) lie on its side."""
+    """Return whether all triangles (f, k, 3) have the orientation of their polygon (f, k + 2)."""
     normals = _normals(points, triangles)
     whole = normals.sum(axis=1)
     corners = points[polygons]
@@ -94,11 +98,10 @@ def _split_quads(points: Floats, quads: Ints) -> Ints:
 
 
 def _without_ears(points: Floats, polygon: Ints) -> Ints | None:
-    """Triangles (k - 2, 3) of a polygon (k,) that touches itself at most; None if it crosses.
+    """Return triangles (k - 2, 3) of a polygon (k,), or None if it crosses itself.
 
-    Cuts off ears, those with the shortest diagonal first (Meisters 1975). Corners with a vertex on
-    the border of their triangle wait until there is no better one: cut earlier, they would leave a
-    polygon without area behind.
+    Ears with the shortest diagonal are cut first (Meisters 1975). Corners with a vertex on the
+    border of their triangle are cut last, because the remaining polygon could lose its area.
     """
     flat, reach = _in_its_plane(points, polygon)
     ears = _Ears(flat, _NO_AREA * reach)
@@ -116,14 +119,14 @@ def _without_ears(points: Floats, polygon: Ints) -> Ints | None:
 
 
 def _in_its_plane(points: Floats, polygon: Ints) -> tuple[Floats, float]:
-    """(k, 2) corners that go round counterclockwise, and the square of the longest side."""
+    """Return 2D corners (k, 2) in counterclockwise order, and the squared longest edge."""
     corners = points[polygon] - points[polygon[0]]
     normal = np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
     normal /= np.linalg.norm(normal)
     across = np.eye(3)[np.abs(normal).argmin()]
     x = np.cross(across, normal)
     x /= np.linalg.norm(x)
-    # Each coordinate alone: equal corners must stay equal to the last bit.
+    # Each coordinate is computed separately, so that equal corners stay bitwise equal.
     flat = np.stack([(corners * axis).sum(axis=1) for axis in (x, np.cross(normal, x))], axis=1)
     sides = np.square(corners - np.roll(corners, 1, axis=0)).sum(axis=1)
     return flat, float(sides.max())
@@ -136,7 +139,7 @@ def _doubled_areas(flat: Floats, corners: Ints) -> Floats:
 
 
 class _Ears:
-    """What is left of a polygon (k, 2), and the corners that may be cut off it."""
+    """The remaining polygon (k, 2), and its candidate ears."""
 
     def __init__(self, flat: Floats, no_area: float):
         self.left = set(range(len(flat)))
@@ -145,12 +148,12 @@ class _Ears:
         self._after = {k: (k + 1) % len(flat) for k in self.left}
         self._open = [self._entry(k) for k in self.left]
         heapq.heapify(self._open)
-        # By the corner in their way; and those that have corners on their border only.
+        # Ears by the corner that blocks them, and ears with corners only on their border.
         self._waiting: dict[int, list[_Entry]] = {}
         self._touched: list[_Entry] = []
 
     def next(self) -> tuple[int, int, int] | None:
-        """The next ear, cut off; None if there is none."""
+        """Cut off and return the next ear, or return None."""
         while self._open:
             entry = heapq.heappop(self._open)
             if self._is_there(entry) and self._is_ear(entry):
@@ -161,7 +164,7 @@ class _Ears:
         return None
 
     def last(self) -> tuple[int, int, int]:
-        """The triangle that is left when all ears are cut off."""
+        """Return the triangle that remains after all ears are cut off."""
         k = min(self.left)
         return self._before[k], k, self._after[k]
 
@@ -182,17 +185,17 @@ class _Ears:
         return ear
 
     def _is_ear(self, entry: _Entry) -> bool:
-        """Whether nothing lies in a triangle; else it is noted what it waits for."""
+        """Return whether a triangle contains no other corner; if it does, store it there."""
         corners = np.array(entry[1:])
         area = float(_doubled_areas(self._flat, corners))
         if area < -self._no_area:
-            return False  # it faces the other side, until one of its neighbours is cut off
+            return False  # it is inverted until a neighbour is cut off
         rows = np.fromiter(self.left, dtype=np.int64, count=len(self.left))
         others, places = self._flat[rows], self._flat[corners]
         sides = np.roll(places, -1, axis=0) - places
         to = others[:, None] - places[None]
         depth = (sides[:, 0] * to[..., 1] - sides[:, 1] * to[..., 0]).min(axis=1)
-        # Corners in the place of one of its own belong to the two sides of a bridge.
+        # Corners that coincide with its own are the two sides of a bridge.
         depth[(to == 0.0).all(axis=2).any(axis=1)] = -np.inf
         deepest = int(depth.argmax())
         if area <= self._no_area or depth[deepest] >= -self._no_area:

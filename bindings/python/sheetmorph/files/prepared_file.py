@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A file whose mesh was scaled, welded or remeshed: the prepared mesh is written, as OBJ."""
+"""A file whose mesh was scaled, merged or remeshed; the prepared mesh is written as OBJ."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from .part_file import PartFile
 
 
 class PreparedFile(PartFile):
-    """Another file's part after its cures; see PreparedMesh. Raises ValueError, KernelError.
+    """A part after its preparation; see PreparedMesh. Raises ValueError, KernelError.
 
-    Properties and bodies of the other go with its triangles.
+    Properties and bodies of the source file are transferred to the new triangles.
     """
 
     def __init__(self, file: PartFile, wanted: Wanted, progress: Progress | None = None):
@@ -39,7 +39,7 @@ class PreparedFile(PartFile):
 
     @property
     def output_name(self) -> str:
-        """The OBJ file of the same name: doubles, and room for other vertices than the file's."""
+        """The OBJ file of the same name, which stores doubles and the new vertices."""
         return f"{self.stem}.obj"
 
     def save(self, path: Path, positions: Floats) -> None:

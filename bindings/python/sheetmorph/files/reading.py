@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What stands in a file, or comes through a pipe that somebody writes to."""
+"""Content of files and of named pipes."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ import stat
 import time
 from pathlib import Path
 
-# Seconds for which a pipe may have no writer.
+# Seconds to wait for a writer of a pipe.
 _PATIENCE = 2.0
 
 
 def read_bytes(path: str | Path) -> bytes:
-    """The content of a file. Raises OSError, for a pipe that nobody writes to as well."""
-    # Without O_NONBLOCK a pipe is not even opened before somebody writes to it.
+    """Return the content of a file or pipe. Raises OSError, also for a pipe without a writer."""
+    # Without O_NONBLOCK, open() blocks until a pipe has a writer.
     opened = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
     with open(opened, "rb") as file:
         if not stat.S_ISFIFO(os.fstat(opened).st_mode):
@@ -26,12 +26,12 @@ def read_bytes(path: str | Path) -> bytes:
 
 
 def read_text(path: str | Path, encoding: str = "utf-8-sig") -> str:
-    """The same as text. Raises OSError, UnicodeDecodeError."""
+    """Return the content of a file or pipe as text. Raises OSError, UnicodeDecodeError."""
     return read_bytes(path).decode(encoding).replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _first_of(pipe: int, path: str | Path) -> bytes:
-    """What is in a pipe once somebody writes to it; nothing if there is only a writer yet."""
+    """Return the first data of a pipe, or nothing if a writer has sent no data yet."""
     deadline = time.monotonic() + _PATIENCE
     while True:
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Signals that have to wait while files get their names."""
+"""Signals that are postponed while files are renamed."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ _NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
 
 
 def stopping_signals() -> list[signal.Signals]:
-    """The signals that ask a program to end, those of them that this system has."""
+    """Return the terminating signals that this system has."""
     return [getattr(signal, name) for name in _NAMES if hasattr(signal, name)]
 
 
 @contextmanager
 def postponed() -> Iterator[None]:
-    """Signals that ask to end are delivered after the block (in threads, none arrive anyway)."""
+    """Deliver terminating signals after the block; other threads than the main one receive none."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -28,7 +28,7 @@ def postponed() -> Iterator[None]:
     def note(number: int, _frame: FrameType | None) -> None:
         arrived.append(number)
 
-    # None: a handler that was not set from Python, which could not be set again.
+    # None marks a handler from outside Python, which cannot be restored.
     found = {number: signal.getsignal(number) for number in stopping_signals()}
     previous = {number: handler for number, handler in found.items() if handler is not None}
     for number in previous:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""STL, text and binary: facets welded exactly, written back in the same order with new normals."""
+"""STL as text or binary: equal corners are merged, facets keep their order and get new normals."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _FACET = re.compile(
     re.IGNORECASE,
 )
 _NAME_LINE = re.compile(rb"\s*((end)?solid\b.*)?", re.IGNORECASE)
-# How much of the last facet's attribute, which says nothing of the shape, a file may lack.
+# A file may lack the attribute of its last facet, which does not affect the shape.
 _ATTRIBUTE_SIZE = 2
 _NO_END = (
     "the closing endsolid is missing: check that the {0} facets that the file has are all of them"
@@ -34,7 +34,7 @@ _NO_END = (
 
 @dataclass(frozen=True)
 class _Weld:
-    """points (n, 3) in order of first appearance; corner (3 m,): the vertex of every corner."""
+    """The merged corners: points (n, 3) by first appearance, and corner (3 m,) with their index."""
 
     points: Floats
     corner: Ints
@@ -42,8 +42,8 @@ class _Weld:
 
 
 def _weld(corners: Floats) -> _Weld:
-    """Corners (3 m, 3) with exactly equal coordinates become one vertex."""
-    rows = np.ascontiguousarray(corners + 0.0)  # -0.0 and 0.0 are one place
+    """Merge corners (3 m, 3) with exactly equal coordinates."""
+    rows = np.ascontiguousarray(corners + 0.0)  # -0.0 and 0.0 are the same position
     keys = rows.view(np.dtype((np.void, rows.dtype.itemsize * 3))).ravel()
     _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
     order = np.argsort(first, kind="stable")
@@ -53,7 +53,7 @@ def _weld(corners: Floats) -> _Weld:
 
 
 class StlFile(PartFile):
-    """What both kinds share: vertices are the welded corners; ids count their first appearance."""
+    """The common part of both kinds; vertices are merged corners, numbered by first appearance."""
 
     def __init__(self, source: Source, corners: Floats, precision: str):
         weld = _weld(corners)
@@ -63,11 +63,11 @@ class StlFile(PartFile):
         super().__init__(source.path, mesh, precision)
 
     def stored_positions(self, path: Path) -> Floats:
-        # Rounding may bring two vertices to one place; the order of the corners stays.
+        # Rounding may make two vertices equal, so the order of the corners identifies them.
         return read_corners(path)[self._first]
 
     def _changes(self, positions: Floats) -> tuple[Bools, Floats, Floats]:
-        """Facets that changed (m,) bool, corners (m, 3, 3) and unit normals (m, 3)."""
+        """Return changed facets (m,) bool, corners (m, 3, 3) and unit normals (m, 3)."""
         moved = (positions != self.mesh.points).any(axis=1)[self._corner].reshape(-1, 3).any(axis=1)
         corners = positions[self._corner].reshape(-1, 3, 3)
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -77,7 +77,7 @@ class StlFile(PartFile):
 
 
 class BinaryStlFile(StlFile):
-    """Binary STL; header and attributes are kept, coordinates are float32."""
+    """A binary STL; header and attributes are kept, coordinates are float32."""
 
     def __init__(self, source: Source):
         count = int.from_bytes(source.data[80:84], "little")
@@ -100,7 +100,7 @@ class BinaryStlFile(StlFile):
 
 
 class AsciiStlFile(StlFile):
-    """Text STL; names and layout are kept, a facet that did not move keeps its text."""
+    """A text STL; names and layout are kept, and an unchanged facet keeps its text."""
 
     def __init__(self, source: Source):
         spans, numbers, is_ended = _ascii_facets(source)
@@ -119,9 +119,9 @@ class AsciiStlFile(StlFile):
 
 
 def _ascii_facets(source: Source) -> tuple[Ints, Floats, bool]:
-    """Spans (4 m, 3, 2) and values (4 m, 3) of the normal and the three corners of every facet.
+    """Return spans (4 m, 3, 2) and values (4 m, 3) of the normal and corners of every facet.
 
-    Also whether the last solid is closed.
+    The last value states whether the last solid is closed.
     """
     spans: list[tuple[int, int]] = []
     done = 0
@@ -138,10 +138,13 @@ def _ascii_facets(source: Source) -> tuple[Ints, Floats, bool]:
 
 
 def _is_ended(source: Source, done: int) -> bool:
-    """Whether the text behind the last facet closes its solid. Raises FileError for other text."""
+    """Return whether the text after the last facet closes its solid.
+
+    Raises FileError for other text.
+    """
     lines = [line.strip().lower() for line in source.data[done:].splitlines() if line.strip()]
     if lines and b"endsolid".startswith(lines[-1]):
-        lines.pop()  # what is left of it, or all of it without a name
+        lines.pop()  # a truncated or unnamed endsolid
         is_ended = source.data.rstrip().lower().endswith(b"endsolid")
     else:
         is_ended = bool(lines) and lines[-1].startswith(b"endsolid")
@@ -157,9 +160,9 @@ def _check_between(source: Source, begin: int, end: int) -> None:
 
 
 def _binary_corners(source: Source) -> Floats:
-    """Corners (3 m, 3) float64 of a binary STL. Raises FileError."""
+    """Return corners (3 m, 3) float64 of a binary STL. Raises FileError."""
     records = np.frombuffer(source.data, _RECORD, offset=_HEADER_SIZE)
-    with np.errstate(invalid="ignore"):  # a NaN that signals; it is refused in words
+    with np.errstate(invalid="ignore"):  # a signalling NaN; check_points() reports it
         corners = records["corners"].reshape(-1, 3).astype(np.float64)
     check_points(source.path, corners)
     return corners
@@ -181,7 +184,7 @@ def _is_binary(source: Source) -> bool:
 
 
 def read_corners(path: Path) -> Floats:
-    """Corners (3 m, 3) float64 of an STL file in its own order. Raises FileError."""
+    """Return corners (3 m, 3) float64 of an STL file in its own order. Raises FileError."""
     source = Source(path, read_bytes(path))
     if _is_binary(source):
         return _binary_corners(source)
@@ -190,7 +193,7 @@ def read_corners(path: Path) -> Floats:
 
 
 def read_stl(path: Path) -> StlFile:
-    """A text or binary STL file. Raises FileError."""
+    """Read a text or binary STL file. Raises FileError."""
     source = Source(path, read_bytes(path))
     if _is_binary(source):
         return BinaryStlFile(source)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Text files of which only the coordinates are rewritten, everything else byte for byte."""
+"""Text files in which only the coordinates are rewritten; all other bytes stay the same."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ from ..part_mesh import PartMesh
 from .part_file import PartFile
 
 TOKEN = re.compile(rb"[^\s]+")
-# Beyond it, squares of coordinates overflow.
+# The squares of larger coordinates can overflow.
 LARGEST = 1e100
 _MARK = b"\xef\xbb\xbf"
 _NO_TEXT = re.compile(_MARK + rb"|\0")
-# What a text without its last line break may have lost.
+# A text without a final line break may be truncated.
 CUT_LINE = "the file ends without a line break: check that its last line is complete"
 _WHOLE = re.compile(rb"[+-]?\d{1,18}")
 _NUMBER = re.compile(rb"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 
 def read_bytes(path: Path) -> bytes:
-    """The file's bytes. Raises FileError if it cannot be read or is empty."""
+    """Return the bytes of a file. Raises FileError if it is unreadable or empty."""
     try:
         data = path.read_bytes()
     except OSError as error:
@@ -43,22 +43,22 @@ def read_bytes(path: Path) -> bytes:
 
 
 def without_mark(data: bytes) -> bytes:
-    """The bytes without the byte order mark that some editors put in front of a text."""
+    """Return the bytes without the byte order mark that some editors add."""
     return data[len(_MARK) :] if data.startswith(_MARK) else data
 
 
 @dataclass(frozen=True)
 class Source:
-    """The bytes of a text file, for parsers that need the line number of an offset."""
+    """The bytes of a text file, with the line number of each offset for parsers."""
 
     path: Path
     data: bytes
 
     @classmethod
     def of_text(cls, path: Path, data: bytes | None = None) -> Source:
-        """A text file without its byte order mark. Raises FileError if it is not one text.
+        """Return a text file without its byte order mark. Raises FileError if it is not one text.
 
-        data: the bytes of the file, read from `path` if None.
+        data has the bytes of the file; by default they are read from `path`.
         """
         found = cls(path, without_mark(read_bytes(path) if data is None else data))
         if found.data.startswith((b"\xff\xfe", b"\xfe\xff")):
@@ -74,21 +74,21 @@ class Source:
 
     @property
     def ends_within_a_line(self) -> bool:
-        """Whether the text lacks its last line break, as a text that was cut short does."""
+        """Whether the text lacks its final line break, as a truncated file does."""
         return not self.data.endswith((b"\n", b"\r"))
 
     def line(self, offset: int) -> int:
-        """Line number (from 1) of a byte offset."""
+        """Return the line number of a byte offset, counted from 1."""
         newline = b"\n" if b"\n" in self.data else b"\r"
         return self.data.count(newline, 0, offset) + 1
 
     def error(self, offset: int, what: str, todo: str = "export the file again") -> FileError:
-        """A FileError at a byte offset."""
+        """Return a FileError at a byte offset."""
         return FileError(self.path, what, todo, self.line(min(offset, len(self.data))))
 
     def number(self, token: bytes, offset: int) -> float:
-        """A finite float from a token. Raises FileError."""
-        # float() takes more than files may hold: 1_000, nan, infinity.
+        """Convert a token to a finite float. Raises FileError."""
+        # float() also accepts forms that files must not have: 1_000, nan, infinity.
         if not _NUMBER.fullmatch(token):
             raise self.error(offset, f'"{show(token)}" is not a number')
         value = float(token)
@@ -97,15 +97,18 @@ class Source:
         return value
 
     def integer(self, token: bytes, offset: int) -> int:
-        """An int from a token. Raises FileError."""
-        # The test of digits alone is the quick one.
+        """Convert a token to an int. Raises FileError."""
+        # The digit test comes first because it is faster than the regular expression.
         if not (token.isdigit() and len(token) < 19 or _WHOLE.fullmatch(token)):
             raise self.error(offset, f'"{show(token)}" is not a whole number')
         return int(token)
 
 
 def check_points(path: Path, points: Floats) -> None:
-    """(n, 3) coordinates of a binary file are numbers to compute with. Raises FileError."""
+    """Check that the coordinates (n, 3) of a binary file are finite and not too large.
+
+    Raises FileError.
+    """
     bad = np.flatnonzero(~(np.abs(points) <= LARGEST).all(axis=1))
     if len(bad):
         what = f"point {bad[0]} has a coordinate that is not a finite number, or too large"
@@ -113,16 +116,17 @@ def check_points(path: Path, points: Floats) -> None:
 
 
 def show(token: bytes) -> str:
-    """A token of a file, short and printable, for messages."""
+    """Return a token of a file in a short, printable form for messages."""
     text = token[:20].decode("ascii", "replace")
     return "".join(c if c.isprintable() else "?" for c in text)
 
 
 @dataclass(frozen=True)
 class CoordinateText:
-    """Where each coordinate stands in a text file.
+    """The location of each coordinate in a text file.
 
-    data: the file; spans: (n, 3, 2) int64 byte offsets (begin, end); values: (n, 3) as read.
+    data has the file, spans (n, 3, 2) int64 the byte offsets (begin, end), and values (n, 3) the
+    numbers.
     """
 
     data: bytes
@@ -130,9 +134,9 @@ class CoordinateText:
     values: Floats
 
     def rewritten(self, positions: Floats) -> bytes:
-        """The file with (n, 3) positions; a coordinate that did not change keeps its text.
+        """Return the file with positions (n, 3); an unchanged coordinate keeps its text.
 
-        Changed ones get the shortest text that reads back to the same double (17 digits at most).
+        A changed one gets the shortest text of the same double, with at most 17 digits.
         """
         order, pieces = self._pieces
         changed = np.flatnonzero((positions.ravel() != self.values.ravel())[order])
@@ -145,8 +149,7 @@ class CoordinateText:
 
     @cached_property
     def _pieces(self) -> tuple[Ints, list[bytes]]:
-        """The coordinates (3 n,) in the order of the file, and its bytes: what stands before the
-        first one, that one, what is between, and so on."""
+        """The coordinates (3 n,) in file order, and the bytes before, at and between them."""
         spans = self.spans.reshape(-1, 2)
         order = np.argsort(spans[:, 0], kind="stable")
         ends = [0, *spans[order].ravel().tolist(), len(self.data)]
@@ -154,8 +157,10 @@ class CoordinateText:
 
     @cached_property
     def _words(self) -> tuple[list[bytes], list[int]] | None:
-        """The file's words, and which of them are the coordinates in their order; None if one is
-        no word of its own."""
+        """The words of the file, and the indices of the coordinates among them.
+
+        None if a coordinate is only a part of a word.
+        """
         found = list(TOKEN.finditer(self.data))
         places = {word.span(): k for k, word in enumerate(found)}
         try:
@@ -165,7 +170,7 @@ class CoordinateText:
         return [word.group() for word in found], own
 
     def read_again(self, data: bytes) -> Floats | None:
-        """(n, 3) coordinates of the same file with other numbers; None if another word differs."""
+        """Return coordinates (n, 3) of a file with new numbers; None if another word differs."""
         if self._words is None:
             return None
         before, own = self._words
@@ -182,7 +187,7 @@ class CoordinateText:
 
 
 class TextPartFile(PartFile):
-    """A text format whose coordinates are separate tokens: OBJ, OFF, ASCII PLY."""
+    """A text format with separate coordinate tokens: OBJ, OFF, text PLY."""
 
     def __init__(self, path: Path, mesh: PartMesh, text: CoordinateText, missing: Iterable[str]):
         super().__init__(path, mesh)
@@ -193,7 +198,7 @@ class TextPartFile(PartFile):
         path.write_bytes(self._text.rewritten(positions))
 
     def stored_positions(self, path: Path) -> Floats:
-        # The file is what was written, so nothing but its numbers has to be understood again.
+        # The file differs from the written one only in numbers, so a full parse is rarely needed.
         found = self._text.read_again(read_bytes(path))
         return type(self).read(path).mesh.points if found is None else found
 
@@ -205,7 +210,7 @@ class TextPartFile(PartFile):
     @classmethod
     @abstractmethod
     def parse(cls, source: Source) -> tuple[PartMesh, CoordinateText, list[str]]:
-        """The mesh of a file, where its coordinates stand, and PartFile.missing.
+        """Return the mesh, the locations of its coordinates, and PartFile.missing.
 
         Raises FileError.
         """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Formats that are not read, and how to make one of them that is."""
+"""Unsupported formats, and advice on how to convert them."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ _WAYS = (
 
 
 def unknown_format(path: Path, known: Sequence[str]) -> FileError:
-    """What to tell about a file that is not read."""
+    """Return the error for a file that SheetMorph cannot read."""
     if path.is_dir():
         return FileError(path, "it is a folder", "name a file in it")
     suffix = Path(path.stem).suffix if path.suffix.lower() == ".gz" else path.suffix

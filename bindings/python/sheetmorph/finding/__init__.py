@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Finds form features and contacts: on meshes in memory, in files, for recipes."""
+"""The search for form features and contacts: on meshes in memory, in files, and for recipes."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Nodes that parts of one deck share: where it is split by property, they stay together."""
+"""Nodes that parts of one deck share; parts of a deck split by property stay joined there."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ Pair = tuple[str, str]
 
 
 def common_nodes(meshes: Mapping[str, PartMesh]) -> dict[Pair, list[int]]:
-    """By pairs of parts of one file: the ids of the nodes in one place that both have.
+    """Return the ids of coincident shared nodes for each pair of parts of one file.
 
-    A node of several parts ties each of the others to the first one.
+    A node of several parts joins each of them to the first one.
     """
     found: dict[Pair, list[int]] = {}
     files: dict[str, list[str]] = defaultdict(list)
@@ -46,7 +46,7 @@ def _of_file(names: Sequence[str], meshes: Mapping[str, PartMesh]) -> dict[Pair,
 
 
 def common_entry(pair: Pair, ids: Sequence[int], meshes: Mapping[str, PartMesh]) -> dict[str, Any]:
-    """A tied contact of common nodes, as a recipe has it and as a search finds it."""
+    """Return the tied contact of common nodes, in the form of a search result."""
     rows, _ = meshes[pair[0]].find(ids)
     points = meshes[pair[0]].points[rows]
     low, high = points.min(axis=0), points.max(axis=0)
@@ -65,7 +65,7 @@ def common_entry(pair: Pair, ids: Sequence[int], meshes: Mapping[str, PartMesh])
 def missing_entries(
     meshes: Mapping[str, PartMesh], contacts: Collection[Mapping[str, Any]]
 ) -> list[dict[str, Any]]:
-    """Contacts of the common nodes that no contact of a list holds together."""
+    """Return contacts for the common nodes that the given contacts do not join."""
     held: dict[Pair, set[int]] = defaultdict(set)
     for entry in contacts:
         sides = [entry["a"], entry["b"]]

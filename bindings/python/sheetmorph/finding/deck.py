@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a deck tells besides its mesh: materials of shells, elements between parts."""
+"""Data of a deck for the search: shell materials, and elements between parts."""
 
 from __future__ import annotations
 
@@ -19,14 +19,16 @@ from ..recipe.parts import Source
 from ..strain import middle_edge
 
 _JOINING = ("line", "rigid", "constraint", "weld")
-# Pairs of vertices of a flexible joint beyond which it is a seam, not a spot.
+# A flexible joint with more vertex pairs is a seam and not a spot.
 _MOST_OF_SPOT = 12
 _Pair = tuple[str, int, str, int]
 
 
 class DeckConnection(NamedTuple):
-    """Two vertices, by part and index, that elements connect: joint: the number of the joint;
-    is_rigid: whether a rigid body is in it."""
+    """Two vertices, by part and index, that elements connect.
+
+    joint is the number of the joint, and is_rigid states whether it contains a rigid body.
+    """
 
     part_a: str
     vertex_a: int
@@ -37,8 +39,7 @@ class DeckConnection(NamedTuple):
 
 
 def part_material(sources: Sequence[Source]) -> dict[str, Material]:
-    """By part: the material of most triangles of its shells, for parts of decks; steel where a
-    deck does not tell."""
+    """Return for each part of a deck the material of most of its triangles, by default steel."""
     found = {}
     for source in sources:
         if not isinstance(source.file, DeckFile):
@@ -57,11 +58,11 @@ def part_material(sources: Sequence[Source]) -> dict[str, Material]:
 
 
 def deck_connections(source: Source, meshes: Mapping[str, PartMesh]) -> Iterator[DeckConnection]:
-    """The elements between the parts of a deck, as pairs of vertices.
+    """Yield the elements between the parts of a deck as pairs of vertices.
 
-    Elements that meet in a node of no shell are one joint; of it every vertex of one part goes
-    with the nearest of each other part. A weld that stands between sheets, on nodes of no shell,
-    joins the vertices nearest to it on the two nearest parts.
+    Elements that share a node outside the shells form one joint. In a joint every vertex of a part
+    is paired with the nearest vertex of each other part. A weld whose nodes do not belong to shells
+    joins the nearest vertices of the two nearest parts.
     """
     if not isinstance(source.file, DeckFile):
         return
@@ -69,7 +70,7 @@ def deck_connections(source: Source, meshes: Mapping[str, PartMesh]) -> Iterator
     for name in source.members:
         for index, node in enumerate(meshes[name].file_ids(range(len(meshes[name].points)))):
             places.setdefault(node, (name, index))
-    # Several springs between the same two nodes, one a direction, are one connection.
+    # Several springs between two nodes, one for each direction, are one connection.
     known: set[_Pair] = set()
     number = 0
     for nodes, is_rigid in _joined(source, places, meshes):
@@ -83,7 +84,7 @@ def deck_connections(source: Source, meshes: Mapping[str, PartMesh]) -> Iterator
 
 
 def rigid_bodies(source: Source, meshes: Mapping[str, PartMesh]) -> dict[str, list[list[int]]]:
-    """By part the vertices (indices) of it that each rigid body of the deck holds, two or more."""
+    """Return for each part the vertex indices in each rigid body of the deck, two or more."""
     found: dict[str, list[list[int]]] = {name: [] for name in source.members}
     if not isinstance(source.file, DeckFile):
         return found
@@ -91,7 +92,7 @@ def rigid_bodies(source: Source, meshes: Mapping[str, PartMesh]) -> dict[str, li
     blocks = [block for block in deck.elements if block.kind == "rigid"]
     if not blocks:
         return found
-    # A node may be held to one of the sheet in its place by springs of no length.
+    # A node can be joined to a coincident node of the sheet by springs of zero length.
     pinned = pinned_nodes(deck, sheet)
     ends = zip(deck.ids[pinned[:, 0]].tolist(), deck.ids[sheet.nodes[pinned[:, 1]]].tolist())
     on_sheet = dict(ends)
@@ -111,8 +112,7 @@ def rigid_bodies(source: Source, meshes: Mapping[str, PartMesh]) -> dict[str, li
 def _joined(
     source: Source, places: Mapping[int, tuple[str, int]], meshes: Mapping[str, PartMesh]
 ) -> list[tuple[list[int], bool]]:
-    """The shell nodes, sorted, of elements that hang together over nodes of no shell, and whether
-    one of those is a rigid body."""
+    """Return the sorted shell nodes of each joint, and whether it contains a rigid body."""
     file = source.file
     assert isinstance(file, DeckFile)
     found = [
@@ -126,8 +126,7 @@ def _joined(
 
 
 def _groups(file: DeckFile, sheet: Collection[int]) -> list[tuple[set[int], bool]]:
-    """The nodes of elements that hang together over nodes outside of a set, and whether one of
-    the elements is a rigid body."""
+    """Return the nodes of elements connected outside the sheet, and whether one is rigid."""
     groups: list[set[int]] = []
     rigid: list[bool] = []
     at_node: dict[int, int] = {}
@@ -145,7 +144,7 @@ def _groups(file: DeckFile, sheet: Collection[int]) -> list[tuple[set[int], bool
 
 
 def _elements(file: DeckFile) -> Iterator[tuple[set[int], bool]]:
-    """The nodes of every element that may join two parts, and whether it is a rigid body."""
+    """Yield the nodes of every element that can join two parts, and whether it is a rigid body."""
     for block in file.deck.elements:
         if block.kind in _JOINING:
             is_rigid = block.kind == "rigid"
@@ -155,7 +154,7 @@ def _elements(file: DeckFile) -> Iterator[tuple[set[int], bool]]:
 def _between_sheets(
     source: Source, places: Mapping[int, tuple[str, int]], meshes: Mapping[str, PartMesh]
 ) -> Iterator[list[int]]:
-    """Of every weld on a node of no shell: the nodes nearest to it on the two nearest parts."""
+    """Yield for every weld without shell nodes the nearest nodes on the two nearest parts."""
     file = source.file
     assert isinstance(file, DeckFile)
     deck = file.deck

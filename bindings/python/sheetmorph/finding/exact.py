@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What CAD surfaces know exactly takes the place of what was fitted to their meshes."""
+"""Exact values of CAD surfaces in place of values fitted to their meshes."""
 
 from __future__ import annotations
 
@@ -16,8 +16,10 @@ _NUMBERS = ("radius", "angle", "hollow", "residual")
 
 
 def exact_of(source: Source) -> dict[str, list[Entry]]:
-    """The exact features of the parts of a CAD file by part name, vertices as indices of the part;
-    nothing for other files."""
+    """Return the exact features of the parts of a CAD file by part name; vertices are indices.
+
+    Other files give an empty dict.
+    """
     if not isinstance(source.file, CadFile):
         return {}
     parts = source.file.model.parts
@@ -36,12 +38,12 @@ def _shifted(entry: Entry, first: int) -> Entry:
 
 
 def with_exact(entries: list[Entry], exact: list[Entry], walls: list[Entry]) -> list[Entry]:
-    """The entries found on a part's mesh, those of a kind that CAD knows with its numbers.
+    """Return the entries found on a part's mesh, with exact values where CAD has the same feature.
 
-    Both with vertices as indices. A feature is the same if nearly all its vertices are on the same
-    surface; its center is moved onto the exact axis, rims and washers stay. What was not found on
-    the mesh is added. walls: everything that CAD knows, of which the walls of slots and rectangles
-    tell what these are.
+    Vertices are indices in all lists. Two features are the same if nearly all vertices of the first
+    lie on the surface of the second. The centre moves to the exact axis; rims and washers stay. CAD
+    features that the mesh search did not find are added. walls has all CAD features; their walls
+    define slots and rectangles.
     """
     surfaces = [(known, frozenset(known["vertices"])) for known in exact]
     is_found = [False] * len(exact)
@@ -62,7 +64,7 @@ def with_exact(entries: list[Entry], exact: list[Entry], walls: list[Entry]) -> 
 
 def _is_same(entry: Entry, known: Entry, vertices: frozenset[int]) -> bool:
     nearly_all = 0.9
-    # The wall of a hole is found as a cylinder, too.
+    # The mesh search also finds the wall of a hole as a cylinder.
     is_wall = entry["kind"] == "cylinder" and known["kind"] == "round hole"
     if entry["kind"] != known["kind"] and not is_wall:
         return False
@@ -70,7 +72,7 @@ def _is_same(entry: Entry, known: Entry, vertices: frozenset[int]) -> bool:
 
 
 def _exact_bend(entry: Entry, walls: list[Entry]) -> Entry:
-    """A bend with the numbers of the cylinders it consists of: one, or those of both skins."""
+    """Return a bend with the values of its cylinders: one, or those of both skins."""
     bend = frozenset(entry["vertices"])
     cylinders = [wall for wall in walls if wall["kind"] == "cylinder" and wall["vertices"]]
     skins = [wall for wall in cylinders if bend.issuperset(wall["vertices"])]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Slots and rectangles through a solid as the CAD surfaces of their walls say: exact."""
+"""Exact slots and rectangles through a solid, from the CAD surfaces of their walls."""
 
 from __future__ import annotations
 
@@ -11,12 +11,15 @@ import numpy as np
 Entry = dict[str, Any]
 OUTLINES = ("slotted hole", "rectangular hole")
 _NEARLY_ALL = 0.9
-_SAME = 1e-7  # of two numbers of one file
+_SAME = 1e-7  # relative difference of equal numbers in a file
 
 
 def exact_outline(entry: Entry, exact: Sequence[Entry]) -> Entry:
-    """A slot or rectangle found on a mesh, with the numbers of its walls where these are the two
-    half cylinders of a slot, the four quarter cylinders or the four planes of a rectangle."""
+    """Return a slot or rectangle found on a mesh, with the exact values of its walls.
+
+    The walls must be the two half cylinders of a slot, or the four quarter cylinders or four planes
+    of a rectangle; otherwise the entry is unchanged.
+    """
     inside = frozenset(entry["vertices"])
     walls = [
         known
@@ -44,13 +47,13 @@ def _are_alike(rounds: Sequence[Entry]) -> bool:
 
 
 def _of_cylinders(rounds: Sequence[Entry]) -> Entry | None:
-    """Two cylinders make a slot, four a rectangle with rounded corners."""
+    """Return the values of a slot from two cylinders, or of a rounded rectangle from four."""
     axis, radius = np.array(rounds[0]["axis"]), float(rounds[0]["radius"])
     off = np.array([wall["center"] for wall in rounds]) - rounds[0]["center"]
     spans = off - np.outer(off @ axis, axis)
     sides = sorted(np.linalg.norm(spans[1:], axis=1).tolist())
     if len(rounds) == 4 and abs(np.hypot(*sides[:2]) - sides[2]) > _SAME * sides[2]:
-        return None  # no rectangle
+        return None  # not a rectangle
     length, width = (sides[0], 0.0) if len(rounds) == 2 else (sides[1], sides[0])
     return {
         "axis": axis,
@@ -62,7 +65,7 @@ def _of_cylinders(rounds: Sequence[Entry]) -> Entry | None:
 
 
 def _of_planes(planes: Sequence[Entry]) -> Entry | None:
-    """Two pairs of parallel planes make a rectangle with sharp corners."""
+    """Return the values of a sharp rectangle from two pairs of parallel planes."""
     normals = np.array([wall["axis"] for wall in planes])
     points = np.array([wall["center"] for wall in planes])
     facing = next((k for k in (1, 2, 3) if abs(normals[0] @ normals[k]) > 1.0 - _SAME), 0)
@@ -87,7 +90,7 @@ def _of_planes(planes: Sequence[Entry]) -> Entry | None:
 
 
 def _placed(entry: Entry, numbers: Entry, walls: Sequence[Entry]) -> Entry:
-    """The exact numbers; the center stays where it is along the axis, which runs the same way."""
+    """Return the entry with exact values; its centre keeps the position along the axis."""
     axis = numbers["axis"] * (1.0 if numbers["axis"] @ entry["axis"] >= 0.0 else -1.0)
     away = np.array(entry["center"]) - numbers["center"]
     return {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What was found, in the form of find.schema.json: entries that a recipe takes as they are."""
+"""Search results in the form of find.schema.json, which is also that of recipe entries."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _CURVED = ("cylinder", "cone", "sphere")
 
 
 def find_schema() -> dict[str, Any]:
-    """The published JSON Schema of what is found."""
+    """Return the published JSON Schema of search results."""
     text = resources.files("sheetmorph").joinpath("find.schema.json").read_text("utf-8")
     found: dict[str, Any] = json.loads(text)
     return found
@@ -41,10 +41,11 @@ def find_schema() -> dict[str, Any]:
 
 @dataclass(frozen=True, eq=False)
 class FindPart:
-    """A part to look at. thickness: of a sheet without one in its mesh, mm, 0 if not known; exact:
-    what its CAD surfaces say, as entries with vertices that are indices, angles in radians; bodies:
-    the vertices (indices) of each rigid body of a deck; kept:
-    what the last search found on the mesh, by its tolerances: whoever keeps it saves another one.
+    """A part to search.
+
+    thickness is that of a sheet, mm, 0 if not given. exact has the features of its CAD surfaces,
+    with vertex indices and angles in radians. bodies has the vertex indices of each rigid body of a
+    deck. kept caches the features of the last search by its tolerances.
     """
 
     name: str
@@ -56,7 +57,7 @@ class FindPart:
 
 
 def body_entries(part: FindPart) -> list[dict[str, Any]]:
-    """The rigid bodies of a part as features of a recipe: a morph keeps them rigid, too."""
+    """Return the rigid bodies of a part as features, so that a morph keeps them rigid."""
     return [
         {
             "name": f"{part.name}: rigid body {number}",
@@ -73,8 +74,11 @@ def body_entries(part: FindPart) -> list[dict[str, Any]]:
 
 @dataclass
 class Findings:
-    """features and contacts as a recipe takes them; gap: the one used, mm; primary: names of parts,
-    the likeliest first; seconds: of the search."""
+    """Search results: features and contacts in the form of the recipe.
+
+    gap is the contact gap of the search, mm. primary has part names, the most likely first. seconds
+    is the duration of each step.
+    """
 
     features: list[dict[str, Any]] = field(default_factory=list)
     contacts: list[dict[str, Any]] = field(default_factory=list)
@@ -84,8 +88,10 @@ class Findings:
 
 
 def feature_entry(part: FindPart, found: _core.Feature) -> dict[str, Any]:
-    """A feature of the kernel as a recipe's entry, still without name and part; what its kind has
-    not is left out."""
+    """Return a feature of the kernel as a recipe entry without name and part.
+
+    Values that its kind does not have are left out.
+    """
     mesh = part.mesh
     entry = {"kind": found.kind, "center": found.center.tolist(), "axis": found.axis.tolist()}
     if found.kind in (*_WITH_RADIUS, *_CURVED):
@@ -113,7 +119,7 @@ def feature_entry(part: FindPart, found: _core.Feature) -> dict[str, Any]:
 def contact_entry(
     parts: Sequence[FindPart], found: _core.FoundContact, name: str
 ) -> dict[str, Any]:
-    """A contact of the kernel as a recipe's entry."""
+    """Return a contact of the kernel as a recipe entry."""
 
     def side(index: int, vertices: Ints) -> dict[str, Any]:
         part = parts[index]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What to look for, and how exactly; every tolerance is the user's to change."""
+"""Options of the search: kinds and tolerances."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ if TYPE_CHECKING:
 HOLES = ("round hole", "slotted hole", "rectangular hole", "hole")
 SURFACES = ("plane", "cylinder", "cone", "sphere")
 KINDS = (*HOLES, "round edge", *SURFACES, "flange", "bead", "emboss", "bend")
-# What keeps its form on a real part without being asked: whatever has a rim and is no outline.
+# Features that keep their form on real parts: those with a rim, without outlines.
 USUAL_FEATURES = HOLES
 
 CONTACT_KINDS = ("bolt", "weld", "flange", "face", "edge")
 
-# The range of every number an option takes.
+# The valid range of every numeric option.
 LIMITS = {
     "rings": (0, 20),
     "smallest_radius": (0.0, 1e12),
@@ -44,16 +44,37 @@ _OF_FEATURES = (
 
 @dataclass(frozen=True)
 class FindOptions:
-    """How features and contacts are found. Lengths in mm, angles in degrees.
+    """Options of the search for features and contacts; lengths in mm, angles in degrees.
 
-    kinds, contact_kinds: which are kept; rings: washer rings around a hole; smallest_radius,
-    largest_radius: of holes; roundness: residual of a rim over its radius; surface: of a cylinder,
-    cone or sphere; crease_angle: a sharper bend is an edge; plane_angle: bend inside a plane;
-    smallest_area: of a surface over that of its part; scatter: standard deviation of measured
-    vertices in one direction, mm, None: told from each mesh. gap: largest distance between two
-    parts in contact, beyond half of both thicknesses, None: proposed from the assembly;
-    facing_angle between surfaces in contact; smallest: vertices of the smaller side; one_per_pair:
-    one contact for two parts instead of one for each place.
+    Parameters
+    ----------
+    kinds, contact_kinds : tuple of str
+        Kinds to keep.
+    rings : int
+        Washer rings around a hole.
+    smallest_radius, largest_radius : float
+        Limits for holes.
+    roundness : float
+        Largest residual of a rim, relative to its radius.
+    surface : float
+        Largest residual of a cylinder, cone or sphere, relative to its radius.
+    crease_angle : float
+        A sharper bend is an edge.
+    plane_angle : float
+        Largest bend inside a plane.
+    smallest_area : float
+        Smallest area of a surface, relative to its part.
+    scatter : float or None
+        Standard deviation of measured vertices in one direction; None to estimate it from each
+        mesh.
+    gap : float or None
+        Largest distance of parts in contact, beyond half of both thicknesses; None to propose one.
+    facing_angle : float
+        Largest angle between surfaces in contact.
+    smallest : int
+        Fewest vertices of the smaller side.
+    one_per_pair : bool
+        One contact per pair of parts, not one per location.
     """
 
     kinds: tuple[str, ...] = KINDS
@@ -73,11 +94,11 @@ class FindOptions:
     one_per_pair: bool = False
 
     def feature_key(self) -> tuple[float | None, ...]:
-        """All that decides which features the kernel finds on a mesh."""
+        """Return the options that determine which features the kernel finds on a mesh."""
         return tuple(getattr(self, name) for name in _OF_FEATURES)
 
     def feature_tolerances(self, core: ModuleType) -> _core.FeatureTolerances:
-        """The kernel's FeatureTolerances."""
+        """Return the options as FeatureTolerances of the kernel."""
         found: _core.FeatureTolerances = core.FeatureTolerances()
         found.washer_rings = int(self.rings)
         found.smallest_radius = float(self.smallest_radius)
@@ -91,7 +112,7 @@ class FindOptions:
         return found
 
     def contact_tolerances(self, core: ModuleType) -> _core.ContactTolerances:
-        """The kernel's ContactTolerances."""
+        """Return the options as ContactTolerances of the kernel."""
         found: _core.ContactTolerances = core.ContactTolerances()
         found.gap = -1.0 if self.gap is None else float(self.gap)
         found.facing_angle = math.radians(self.facing_angle)
@@ -100,7 +121,7 @@ class FindOptions:
         return found
 
     def faults(self) -> list[tuple[str, str]]:
-        """(what is wrong, what to do) of every number that is out of its range."""
+        """Return (what is wrong, what to do) for every number outside its range."""
         found = []
         for name, (least, most) in LIMITS.items():
             value = getattr(self, name)
@@ -111,13 +132,16 @@ class FindOptions:
         return found
 
     def as_dict(self) -> dict[str, Any]:
-        """The options by name, for JSON."""
+        """Return the options by name, for JSON."""
         return {
             key: list(value) if isinstance(value, tuple) else value
             for key, value in dataclasses.asdict(self).items()
         }
 
     def changed(self, values: dict[str, Any]) -> FindOptions:
-        """The same with other values; lists become tuples. Raises TypeError for unknown names."""
+        """Return a copy with other values; lists become tuples.
+
+        Raises TypeError for unknown names.
+        """
         tuples = {k: tuple(v) if isinstance(v, list) else v for k, v in values.items()}
         return dataclasses.replace(self, **tuples)

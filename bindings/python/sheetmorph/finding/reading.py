@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts to look at from files: as the entries of a recipe name them, or split as they need."""
+"""Parts to search, read from files and split as required."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ def find_in_files(
     split: str = "auto",
     meshing: Mapping[str, float] | None = None,
 ) -> dict[str, Any]:
-    """What is found in mesh files, in the form of find.schema.json.
+    """Return the search result for mesh files, in the form of find.schema.json.
 
-    split: "components" or "property" of every file, "none", or "auto": components where a file has
-    several; meshing: edge and deflection (mm) and angle (degrees) for CAD files. Raises
-    RecipeError for files that cannot be read or split, ValueError for options.
+    split is "components" or "property" for every file, "none", or "auto" for components where a
+    file has several. meshing has edge and deflection (mm) and angle (degrees) for CAD files. Raises
+    RecipeError for files that cannot be read or split, and ValueError for options.
     """
     parts = parts_of_files(paths, split, meshing)
     found = find_in_parts(parts, options)
@@ -47,12 +47,12 @@ def find_in_files(
 
 
 def find_in_parts(parts: Parts, options: FindOptions) -> Findings:
-    """What is found in parts that were read from files; decks tell thickness and connections."""
+    """Search parts that were read from files; decks add thickness and connections."""
     return find(find_parts(parts), options, connections_of(parts))
 
 
 def find_parts(parts: Parts) -> list[FindPart]:
-    """The parts, with the thickness that decks and the features that CAD files give them."""
+    """Return the parts with the thickness from decks and the features from CAD files."""
     exact = {name: known for s in parts.sources for name, known in exact_of(s).items()}
     bodies = {
         name: rows for s in parts.sources for name, rows in rigid_bodies(s, parts.meshes).items()
@@ -71,7 +71,7 @@ def find_parts(parts: Parts) -> list[FindPart]:
 
 
 def connections_of(parts: Parts) -> list[Connection]:
-    """The elements of decks that hold two parts together, parts counted as in find_parts()."""
+    """Return the deck elements that join two parts, with part numbers as in find_parts()."""
     names = [entry.name for entry in parts.entries if entry.name in parts.meshes]
     index = {name: k for k, name in enumerate(names)}
     found: list[Connection] = []
@@ -87,7 +87,7 @@ def connections_of(parts: Parts) -> list[Connection]:
 def parts_of_files(
     paths: Sequence[str | Path], split: str = "auto", meshing: Mapping[str, float] | None = None
 ) -> Parts:
-    """The parts in some files, read; meshing: sizes for CAD files. Raises RecipeError."""
+    """Read the parts of files; meshing has mesh sizes for CAD files. Raises RecipeError."""
     if meshing and not any(map(is_cad, paths)):
         todo = "leave edge, deflection and angle out"
         raise RecipeError([Fault("find", "only CAD files are meshed", todo)])
@@ -110,14 +110,14 @@ def parts_of_files(
 
 
 def _way(path: str) -> str:
-    """How a file is split by itself."""
+    """Return the default way to split a file."""
     if is_cad(path):
         return "components"
     try:
         file = read_part(path)
         return "components" if len(split_triangles(file, "components")) > 1 else "none"
     except (OSError, ValueError):
-        return "none"  # reading it again says what is wrong
+        return "none"  # the next attempt to read it reports the error
 
 
 def _free_name(name: str, names: set[str]) -> str:
@@ -130,7 +130,7 @@ def _free_name(name: str, names: set[str]) -> str:
 
 
 def _entry(source: Source, meshing: Any) -> dict[str, Any]:
-    """The entry of a recipe that stands for a file, and the parts it stands for."""
+    """Return the recipe entry of a file, with the names of its parts."""
     path, names = source.file.origin, list(source.members)
     entry: dict[str, Any] = {"name": names[0], "file": str(path)}
     if source.split:

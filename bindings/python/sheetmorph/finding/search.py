@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The search itself: the kernel's features part by part, then the contacts between all of them."""
+"""The search: features of each part by the kernel, then contacts between all parts."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .options import FindOptions
 if TYPE_CHECKING:
     from .. import _core
 
-# Part, vertex, part, vertex, number of the joint (-1: alone), 1 for a rigid body.
+# Part, vertex, part, vertex, number of the joint (-1: none), 1 for a rigid body.
 Connection = tuple[int, int, int, int, int, int]
 
 
@@ -33,12 +33,12 @@ def find(
     *,
     with_contacts: bool = True,
 ) -> Findings:
-    """The features and, if wanted, the contacts of an assembly.
+    """Return the features and, unless switched off, the contacts of an assembly.
 
-    connections: elements that hold two parts together: part, vertex index, part, vertex index,
-    number of the weld or bolt they are of (-1: alone), 1 for rigid bodies and 0 for others;
-    progress(fraction, task) may return False to cancel (RuntimeError).
-    Raises RuntimeError if the kernel is missing, ValueError for options out of range.
+    connections are elements that join two parts: part, vertex index, part, vertex index, number of
+    the weld or bolt (-1: none), 1 for a rigid body and 0 otherwise. progress(fraction, task) may
+    return False to cancel (RuntimeError). Raises RuntimeError without a kernel, and ValueError for
+    options out of range.
     """
     core = load_kernel()
     begin = time.perf_counter()
@@ -48,11 +48,11 @@ def find(
     contacts: list[_core.FoundContact] = []
     gap = 0.0
     if with_contacts and len(parts) > 1:
-        # A proposed gap is that of the meshes as they stand, whatever thickness they stand for.
+        # The proposed gap depends only on the distance of the meshes, so it ignores the thickness.
         thin = [core.ContactPart(*of_part) for of_part in zip(meshes, [0.0] * len(parts), features)]
         thickness = [float(part.thickness) for part in parts]
         if options.gap is None:
-            # Sheets touch where their skins do, or as near as the proposed gap, not both added.
+            # The gap already contains the thickness; adding both would count it twice.
             gap = core.proposed_gap(thin, options.contact_tolerances(core))
             options = options.changed({"gap": gap})
             thickness = [max(0.0, thick - gap) for thick in thickness]
@@ -73,8 +73,10 @@ def _features(
     options: FindOptions,
     progress: Progress | None,
 ) -> list[list[_core.Feature]]:
-    """The kernel's features of every part, searched where they are not kept; shapes: the parts
-    and their meshes."""
+    """Return the features of every part, from its cache or from the kernel.
+
+    shapes has the parts and their meshes.
+    """
     first = None if progress is None else lambda share, task: progress(0.5 * share, task)
     key = options.feature_key()
     new = [(part, mesh) for part, mesh in zip(*shapes) if key not in part.kept]
@@ -91,7 +93,7 @@ def _contacts(
     options: FindOptions,
     more: tuple[Sequence[Connection], Progress | None],
 ) -> tuple[list[_core.FoundContact], float]:
-    """The kernel's contacts, and the gap in use; more: connections and progress."""
+    """Return the contacts of the kernel, and the gap; more has connections and progress."""
     connections, progress = more
     tolerances = options.contact_tolerances(core)
     rest = None if progress is None else lambda share, task: progress(0.5 + 0.5 * share, task)
@@ -116,7 +118,7 @@ def _feature_entries(
 
 
 def _is_wanted(known: dict[str, Any], options: FindOptions) -> bool:
-    """Whether the options ask for what CAD says."""
+    """Return whether the options include a CAD feature."""
     is_hole = known["kind"] == "round hole"
     is_sized = options.smallest_radius <= known.get("radius", 0.0) <= options.largest_radius
     return known["kind"] in options.kinds and (is_sized or not is_hole)
@@ -134,7 +136,7 @@ def _contact_entries(
     for found in contacts:
         ids = shared.get((parts[found.part_a].name, parts[found.part_b].name), set())
         if ids and not ids.isdisjoint(parts[found.part_a].mesh.file_ids(found.a)):
-            continue  # a seam that common nodes hold is no contact besides
+            continue  # common nodes already join this seam
         if found.kind in options.contact_kinds:
             pair = f"{parts[found.part_a].name} - {parts[found.part_b].name}: {found.kind}"
             counts[pair] += 1
@@ -145,7 +147,7 @@ def _contact_entries(
 def _primary_candidates(
     parts: Sequence[FindPart], contacts: Sequence[_core.FoundContact]
 ) -> list[str]:
-    """The part that touches most others is the likeliest to be dragged; then the largest."""
+    """Return part names, most contact partners first and then largest, as likely primary parts."""
     touched: list[set[int]] = [set() for _ in parts]
     for found in contacts:
         touched[found.part_a].add(found.part_b)

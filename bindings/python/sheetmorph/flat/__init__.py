@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The flat pattern of a bent sheet: kinematics, no forming simulation."""
+"""The flat pattern of a bent sheet: kinematic, without a forming simulation."""
 
 from .bends import Bend, KTable
 from .pattern import FlatPattern, NotFlat, flat_patterns, patterns_of

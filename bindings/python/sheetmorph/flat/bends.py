@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The bends of a sheet: where they are, how far they turn, and how long their neutral fibre is."""
+"""The bends of a sheet: location, angle, and length of the neutral fibre."""
 
 from __future__ import annotations
 
@@ -19,24 +19,25 @@ from ..files.reading import read_bytes
 if TYPE_CHECKING:
     from .. import _core
 
-# Inner radius over thickness, and where the neutral fibre lies in the thickness from inside.
+# Inner radius over thickness, and K-factor: the position of the neutral fibre in the thickness,
+# from the inside.
 _USUAL = ((0.0, 0.33), (1.0, 0.38), (3.0, 0.43), (10.0, 0.5))
-_SHARP = math.radians(20.0)  # edges that bend by more are folds without a radius
-_STRAIGHT = 0.98  # cosine between two edges of one fold
+_SHARP = math.radians(20.0)  # sharper edges are folds without a radius
+_STRAIGHT = 0.98  # smallest cosine between two edges of one fold
 
 
 @dataclass(frozen=True)
 class KTable:
-    """K-factors by inner radius over thickness, linear in between, level outside.
+    """K-factors by inner radius over thickness, linear in between and constant outside.
 
-    rows: (ratio, K) with rising ratios.
+    rows has (ratio, K) with ascending ratios.
     """
 
     rows: tuple[tuple[float, float], ...] = _USUAL
 
     @classmethod
     def read(cls, path: str | Path) -> KTable:
-        """From a text file with a ratio and a K-factor a line. Raises FileError, OSError."""
+        """Read a text file with a ratio and a K-factor per line. Raises FileError, OSError."""
         place, rows = Path(path), []
         for number, line in enumerate(
             read_bytes(place).decode("utf-8-sig", "replace").splitlines(), 1
@@ -50,7 +51,7 @@ class KTable:
         return cls(tuple(rows))
 
     def at(self, ratio: float) -> float:
-        """The K-factor of a ratio of inner radius and thickness."""
+        """Return the K-factor for a ratio of inner radius to thickness."""
         ratios, factors = zip(*self.rows)
         return float(np.interp(ratio, ratios, factors))
 
@@ -71,10 +72,22 @@ def _row(place: Path, number: int, words: list[str]) -> tuple[float, float]:
 class Bend:
     """A bend of a sheet.
 
-    angle: radians it turns; radius: of the sheet as it is given, mm, 0 for a sharp fold; inner:
-    inner radius, k_factor, allowance (length of the neutral fibre): mm, None where no thickness is
-    known; is_up: towards the side that normals point to; vertices: (k,) indices; direction: (3,)
-    along it, of length 1; triangles: (j,) of the bend.
+    Attributes
+    ----------
+    angle : float
+        Bend angle, radians.
+    radius : float
+        Radius of the given sheet, mm; 0 for a sharp fold.
+    is_up : bool
+        Whether it bends towards the side of the normals.
+    direction : array (3,)
+        Unit vector along the bend.
+    vertices : array (k,)
+        Vertex indices.
+    triangles : array (j,)
+        Triangle indices.
+    inner, k_factor, allowance : float or None
+        Inner radius, mm, K-factor, and length of the neutral fibre, mm; None without a thickness.
     """
 
     angle: float
@@ -89,7 +102,7 @@ class Bend:
 
     @property
     def factor(self) -> float:
-        """How much longer its neutral fibre is than the sheet as it is given."""
+        """Length of the neutral fibre relative to the given sheet."""
         if self.allowance is None or not self.radius:
             return 1.0
         return self.allowance / (self.angle * self.radius)
@@ -98,7 +111,7 @@ class Bend:
 def find_bends(
     core: ModuleType, mesh: _core.TriangleMesh, thickness: float | None, table: KTable
 ) -> list[Bend]:
-    """The bends of a kernel mesh, rounded ones first, then sharp folds; thickness in mm."""
+    """Return the bends of a kernel mesh, rounded ones first; thickness is in mm."""
     points, triangles = np.asarray(mesh.points), np.asarray(mesh.triangles)
     normals = _normals(points, triangles)
     found, taken = [], np.zeros(len(triangles), bool)
@@ -112,7 +125,7 @@ def find_bends(
             continue
         taken[own] = True
         axis, near = np.asarray(feature.axis), _beside(triangles, own)
-        # A row of triangles may lie across the end of the bend: the next one is flat.
+        # The adjacent row of triangles may cross the end of the bend, but the next one is flat.
         far = _beside(triangles, np.union1d(own, near))
         angles = [_turn(normals[own], normals[sides], axis) for sides in (far, near)]
         angle = next((a for a in angles if a is not None), float(feature.angle))
@@ -134,14 +147,13 @@ def _with_allowance(bend: Bend, thickness: float | None, table: KTable) -> Bend:
 
 
 def _beside(triangles: Ints, own: Ints) -> Ints:
-    """The triangles that touch some others, and are none of them."""
+    """Return the triangles that touch the given ones but are not among them."""
     touched = np.flatnonzero(np.isin(triangles, triangles[own]).any(axis=1))
     return np.setdiff1d(touched, own)
 
 
 def _turn(normals: Floats, beside: Floats, axis: Floats) -> float | None:
-    """How far the flats beside a bend are turned against each other, radians, of their normals and
-    those of the bend; None where it ends on one side."""
+    """Return the angle between the flats beside a bend, radians; None if it ends on one side."""
     middle = normals.mean(axis=0)
     middle -= axis * (middle @ axis)
     across = np.cross(axis, middle)
@@ -153,7 +165,7 @@ def _turn(normals: Floats, beside: Floats, axis: Floats) -> float | None:
 
 
 def _bends_up(centres: Floats, normals: Floats, axis: Floats) -> bool:
-    """Whether the normals of a cylinder's triangles run together: it is curved to their side."""
+    """Return whether the normals of a cylinder converge, so that it curves to their side."""
     across = np.cross(axis, normals.mean(axis=0))
     shift = (centres - centres.mean(axis=0)) @ across
     turn = (normals - normals.mean(axis=0)) @ across
@@ -168,7 +180,7 @@ def _normals(points: Floats, triangles: Ints) -> Floats:
 
 
 def _folds(points: Floats, triangles: Ints, normals: Floats, taken: Bools) -> Iterator[Bend]:
-    """Edges at which the sheet bends sharply, in straight rows."""
+    """Yield straight rows of edges at which the sheet bends sharply."""
     sides = np.vstack([triangles[:, [k, (k + 1) % 3]] for k in range(3)])
     owner = np.tile(np.arange(len(triangles)), 3)
     order = np.lexsort(np.sort(sides, axis=1).T)
@@ -193,7 +205,7 @@ def _folds(points: Floats, triangles: Ints, normals: Floats, taken: Bools) -> It
 
 
 def _rows(edges: Ints, along: Floats, sign: Floats) -> list[Ints]:
-    """Indices of edges that go on straight from each other and bend to one side."""
+    """Return indices of edges that continue each other straight and bend to the same side."""
     at_vertex: dict[int, list[int]] = {}
     for k, (a, b) in enumerate(edges.tolist()):
         at_vertex.setdefault(a, []).append(k)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a bent sheet to its blank, and what is left of stretch in it."""
+"""From a bent sheet to its blank, with the residual stretch."""
 
 from __future__ import annotations
 
@@ -24,26 +24,41 @@ from .bends import Bend, KTable, find_bends
 if TYPE_CHECKING:
     from .. import _core
 
-_ROUND = 2e-3  # of the radius: rims that are nearer to a circle are cut as one
+_ROUND = 2e-3  # share of the radius: rims closer to a circle are cut as a circle
 _FEWEST_OF_CIRCLE = 12
-_STRAIGHT = 1e-3  # radians: a loop that turns by less goes on straight
-_WIDEST_ARC = 0.35  # radians that one triangle may span; beyond is a fold
-_LOST = 0.05  # of the volume of a solid that its sheet may miss
+_STRAIGHT = 1e-3  # radians: a loop that turns by less is straight
+_WIDEST_ARC = 0.35  # radians in one triangle; beyond it the triangle belongs to a fold
+_LOST = 0.05  # share of a solid's volume that its sheet may miss
 
 
 class NotFlat(RuntimeError):
-    """A sheet that cannot be laid flat, or not without more stretch than is allowed."""
+    """A sheet that cannot be flattened, or only with more stretch than allowed."""
 
 
 @dataclass(frozen=True, eq=False)
 class FlatPattern:
     """The blank of one sheet; lengths in mm.
 
-    rest, flat: (n, 3) the sheet bent, and laid flat with z = 0; triangles: (m, 3); outline: (k,)
-    vertices around it; holes: (k,) vertices of every rim; circles: by hole its centre (3,) and
-    radius, None where it is not round; rigid: by hole whether it kept its form exactly; stretches:
-    (m, 2) principal stretches of the blank against the sheet; lines: by bend the ends (2, 3) of its
-    middle line in the blank; notes: what to know.
+    Attributes
+    ----------
+    rest, flat : array (n, 3)
+        Vertices of the bent sheet, and of the flat one with z = 0.
+    triangles : array (m, 3)
+        Vertex indices.
+    outline : array (k,)
+        Vertices of the outline.
+    holes : list of array (k,)
+        Vertices of every rim.
+    circles : list
+        Centre (3,) and radius of each hole, None if it is not round.
+    rigid : list of bool
+        Whether each hole kept its exact form.
+    lines : list of array (2, 3)
+        Ends of the centre line of each bend in the blank.
+    stretches : array (m, 2)
+        Principal stretches of the blank relative to the sheet.
+    notes : list of str
+        Remarks for the user.
     """
 
     name: str
@@ -67,7 +82,7 @@ class FlatPattern:
         return float(high[0] - low[0]), float(high[1] - low[1])
 
     def corners(self, loop: Ints) -> Floats:
-        """The vertices of a loop at which it turns, (k,)."""
+        """Return the vertices (k,) at which a loop changes its direction."""
         places = self.flat[loop, :2]
         before, after = places - np.roll(places, 1, 0), np.roll(places, -1, 0) - places
         sine = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
@@ -77,7 +92,7 @@ class FlatPattern:
         return found
 
     def residual(self) -> tuple[float, float]:
-        """The largest |principal stretch - 1|, and what 99 % of the area stay below."""
+        """Return the largest |principal stretch - 1|, and its 99 % quantile by area."""
         strain = np.abs(self.stretches - 1.0).max(axis=1)
         area = areas(self.rest, self.triangles)
         order = np.argsort(strain)
@@ -95,10 +110,10 @@ def flat_patterns(
     weld: float | None = None,
     progress: Progress | None = None,
 ) -> list[FlatPattern]:
-    """The blanks of the pieces of a file with open sheets or thin solids.
+    """Return the blanks of all pieces of a file with open sheets or thin solids.
 
-    thickness: mm, of an open sheet in the middle of the metal; known of thin solids; limit: 99 % of
-    the area may be stretched by less; weld: mm, below which two vertices are one. Raises
+    thickness, mm, is that of an open sheet at its mid-surface; thin solids have their own. limit is
+    the largest stretch of 99 % of the area. Vertices closer than weld, mm, are merged. Raises
     FileError, KernelError, NotFlat, ValueError.
     """
     file = read_part(path, None, progress)
@@ -117,7 +132,7 @@ def patterns_of(
     limit: float = 0.01,
     progress: Progress | None = None,
 ) -> list[FlatPattern]:
-    """The blanks of the pieces of a mesh; as flat_patterns()."""
+    """Return the blanks of all pieces of a mesh; see flat_patterns()."""
     name, pieces = mesh.name, list(_pieces(mesh.points, mesh.triangles))
     wishes = _Wishes(thickness, table or KTable(), limit, progress)
     return [
@@ -128,7 +143,7 @@ def patterns_of(
 
 @dataclass(frozen=True)
 class _Wishes:
-    """What flat_patterns() is asked for."""
+    """The options of flat_patterns()."""
 
     thickness: float | None
     table: KTable
@@ -137,8 +152,7 @@ class _Wishes:
 
 
 def _welded(mesh: PartMesh, tolerance: float | None) -> tuple[Floats, Ints]:
-    """Points and triangles, after welding if a tolerance in mm is given; none that repeat a
-    vertex."""
+    """Return points and triangles after an optional merge, without degenerate triangles."""
     points, triangles = mesh.points, mesh.triangles
     if tolerance is not None:
         core = load_kernel()
@@ -149,7 +163,7 @@ def _welded(mesh: PartMesh, tolerance: float | None) -> tuple[Floats, Ints]:
 
 
 def _pieces(points: Floats, triangles: Ints) -> Iterator[tuple[Floats, Ints]]:
-    """Points and triangles of every connected piece, by rising first vertex."""
+    """Yield points and triangles of every connected piece, in the order of their first vertex."""
     root = np.arange(len(points))
     while True:
         least = root[triangles].min(axis=1)
@@ -168,7 +182,7 @@ def _pieces(points: Floats, triangles: Ints) -> Iterator[tuple[Floats, Ints]]:
 def _sheet(
     core: ModuleType, name: str, piece: tuple[Floats, Ints]
 ) -> tuple[_core.TriangleMesh, float | None]:
-    """The kernel's mesh of an open sheet, or of the middle of a thin solid, and its thickness."""
+    """Return the kernel mesh of a sheet, or of a thin solid with its thickness."""
     part = core.Part(name, core.TriangleMesh(*piece))
     part.make_thin(False)
     session = core.DeformationSession(core.Assembly([part]))
@@ -182,7 +196,7 @@ def _sheet(
 def _require_whole(
     name: str, piece: tuple[Floats, Ints], sheet: _core.TriangleMesh, thickness: float
 ) -> None:
-    """Raise NotFlat if the middle of a thin solid times its thickness is not its volume."""
+    """Raise NotFlat if mid-surface area times thickness differs from the volume of a solid."""
     corners = (piece[0] - piece[0][0])[piece[1]]
     volume = abs(float(np.linalg.det(corners).sum())) / 6.0
     area = float(areas(np.array(sheet.points), np.array(sheet.triangles)).sum())
@@ -254,14 +268,14 @@ def _notes(found: _core.Flattening, bends: list[Bend], thickness: float | None) 
 
 
 def _length_in(points: Floats) -> Callable[[Ints], float]:
-    """The length of a closed loop of vertices, mm."""
+    """Return a function for the length of a closed loop of vertices, mm."""
     return lambda loop: float(
         np.linalg.norm(points[loop] - np.roll(points[loop], 1, 0), axis=1).sum()
     )
 
 
 def _apart(loops: list[Ints]) -> list[Ints]:
-    """The loops that share no vertex with one before."""
+    """Return the loops that share no vertex with an earlier one."""
     seen: set[int] = set()
     found = []
     for loop in loops:
@@ -272,8 +286,11 @@ def _apart(loops: list[Ints]) -> list[Ints]:
 
 
 def _neutral(rest: Floats, triangles: Ints, bends: list[Bend]) -> tuple[Floats, Floats]:
-    """Directions (m, 3) and factors (m,): by how much the neutral fibre is longer than the flat
-    triangle, which is a chord of the bent sheet."""
+    """Return directions (m, 3) and factors (m,) of the neutral fibre relative to the flat
+    triangles.
+
+    A flat triangle is a chord of the bent sheet, so the neutral fibre is longer.
+    """
     directions, turns = arcs(rest, triangles)
     turns[turns > _WIDEST_ARC] = 0.0
     factors = 1.0 + turns**2 / 24.0
@@ -290,7 +307,7 @@ def _neutral(rest: Floats, triangles: Ints, bends: list[Bend]) -> tuple[Floats, 
 
 
 def _laid_along_x(flat: Floats, outline: Ints) -> Floats:
-    """The blank turned to the smallest box that one of its sides gives, its corner at 0."""
+    """Rotate the blank to the smallest box along one of its edges, with its corner at 0."""
     rim = flat[outline, :2]
     sides = np.roll(rim, -1, 0) - rim
     angles = np.arctan2(sides[:, 1], sides[:, 0]) % (0.5 * np.pi)
@@ -305,7 +322,7 @@ def _laid_along_x(flat: Floats, outline: Ints) -> Floats:
 
 
 def _circle(rim: Floats) -> tuple[Floats, float] | None:
-    """Centre and radius of a rim whose vertices lie on a circle."""
+    """Return centre and radius of a rim whose vertices lie on a circle, or None."""
     if len(rim) < _FEWEST_OF_CIRCLE:
         return None
     system = np.column_stack([2.0 * rim[:, :2], np.ones(len(rim))])
@@ -317,7 +334,7 @@ def _circle(rim: Floats) -> tuple[Floats, float] | None:
 
 
 def _line(rest: Floats, flat: Floats, triangles: Ints, bend: Bend) -> Floats:
-    """The ends (2, 3) of a bend's middle line in the blank."""
+    """Return the ends (2, 3) of the centre line of a bend in the blank."""
     places = flat[bend.vertices, :2]
     if len(bend.triangles):
         along = _carried(rest, flat, triangles[bend.triangles], bend.direction)
@@ -331,7 +348,7 @@ def _line(rest: Floats, flat: Floats, triangles: Ints, bend: Bend) -> Floats:
 
 
 def _carried(rest: Floats, flat: Floats, triangles: Ints, direction: Floats) -> Floats:
-    """A direction (3,) on some triangles as it lies in the blank, (2,) of length 1."""
+    """Map a direction (3,) on some triangles to the blank, (2,) with length 1."""
     sides = rest[triangles[:, 1:]] - rest[triangles[:, :1]]
     moved = flat[triangles[:, 1:], :2] - flat[triangles[:, :1], :2]
     gram = np.einsum("mik,mjk->mij", sides, sides)

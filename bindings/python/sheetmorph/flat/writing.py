@@ -18,16 +18,17 @@ from .bends import Bend
 from .pattern import FlatPattern
 
 _LAYERS = (("OUTLINE", 7), ("HOLES", 1), ("BEND_UP", 5), ("BEND_DOWN", 3))
-_MARGIN = 10.0  # mm around an SVG
-_LETTER = 0.62  # width of a letter over its height
-_FULL_COLOUR = 0.01  # a stretch of 1 % and more has the strongest colour
+_MARGIN = 10.0  # mm around the drawing
+_LETTER = 0.62  # width over height of a character
+_FULL_COLOUR = 0.01  # stretches of 1 % and more have the strongest colour
 _TABLE = ("bend", "angle", "radius", "inner radius", "K", "allowance")
 
 
 def write_patterns(patterns: list[FlatPattern], output: Path, files: FileSet) -> list[Path]:
-    """Writes every blank; output: a file .dxf, .svg, .obj or .json for one, a folder for all.
+    """Write every blank and return the paths.
 
-    Returns the paths. Raises InputError for an output of another kind, FileError, OSError.
+    output is a file .dxf, .svg, .obj or .json for a single blank, or a folder for all. Raises
+    InputError for any other output, FileError, OSError.
     """
     ways = {".dxf": dxf_of, ".svg": svg_of, ".obj": obj_of, ".json": json_of}
     one_way = ways.get(output.suffix.lower())
@@ -56,7 +57,7 @@ def write_patterns(patterns: list[FlatPattern], output: Path, files: FileSet) ->
 
 
 def table_of(pattern: FlatPattern, unit: str = "mm") -> list[str]:
-    """The bend table as lines of text; unit: that of the file's lengths."""
+    """Return the bend table as lines of text; unit is that of the lengths in the file."""
     largest, most = pattern.residual()
     width, height = pattern.size
     metal = "" if pattern.thickness is None else f", {pattern.thickness:.4g} {unit} thick"
@@ -75,7 +76,7 @@ def table_of(pattern: FlatPattern, unit: str = "mm") -> list[str]:
 
 
 def dxf_of(pattern: FlatPattern) -> str:
-    """Outline, holes and bend lines on layers of their own."""
+    """Return outline, holes and bend lines as DXF, each on its own layer."""
     pairs: list[tuple[int, Any]] = [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009")]
     pairs += [(9, "$INSUNITS"), (70, 4), (0, "ENDSEC"), (0, "SECTION"), (2, "TABLES")]
     pairs += [(0, "TABLE"), (2, "LAYER"), (70, len(_LAYERS))]
@@ -111,7 +112,7 @@ def _number(value: Any) -> str:
 
 
 def svg_of(pattern: FlatPattern) -> str:
-    """The blank in mm, its triangles coloured by the stretch that is left, and the bend table."""
+    """Return the blank in mm as SVG, coloured by residual stretch, with the bend table."""
     width, height = pattern.size
     rows = table_of(pattern)
     letter = width / (_LETTER * max(map(len, rows)))
@@ -154,14 +155,14 @@ def _loops(pattern: FlatPattern) -> str:
 
 
 def _colour(strain: float) -> str:
-    """From white over yellow to red."""
+    """Return a colour from white through yellow to red."""
     share = min(float(strain) / _FULL_COLOUR, 1.0)
     green = 255 - int(255 * max(0.0, 2.0 * share - 1.0))
     return f"#ff{green:02x}{255 - int(255 * min(1.0, 2.0 * share)):02x}"
 
 
 def obj_of(pattern: FlatPattern) -> str:
-    """The blank as a mesh with z = 0."""
+    """Return the blank as an OBJ mesh with z = 0."""
     lines = [f"o {pattern.name.replace(chr(10), ' ')}"]
     lines += ["v {!r} {!r} {!r}".format(*row) for row in pattern.flat.tolist()]
     lines += ["f {} {} {}".format(*row) for row in (pattern.triangles + 1).tolist()]
@@ -169,7 +170,7 @@ def obj_of(pattern: FlatPattern) -> str:
 
 
 def json_of(pattern: FlatPattern) -> str:
-    """Everything that numbers tell about a blank."""
+    """Return all figures of a blank as JSON."""
     largest, most = pattern.residual()
     found = {
         "name": pattern.name,

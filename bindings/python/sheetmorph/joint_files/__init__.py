@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files of welds and bolts beside the parts: points that go with the sheets they join."""
+"""Files of welds and bolts beside the part files; their points follow the joined sheets."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ _READERS: dict[str, Callable[[Path, bytes], JointFile]] = {
 
 
 def suffixes() -> list[str]:
-    """The file name endings that read_joint_file() takes."""
+    """Return the file name suffixes that read_joint_file() supports."""
     return sorted(_READERS)
 
 
 def is_joint_file(path: str | Path) -> bool:
-    """Whether a file's name is that of a file of joints."""
+    """Return whether a file name is that of a joint file."""
     return Path(path).suffix.lower() in _READERS
 
 
 def read_joint_file(path: str | Path) -> JointFile:
-    """The joints of a file. Raises FileError."""
+    """Read a joint file. Raises FileError."""
     place = Path(path)
     if not is_joint_file(place):
         todo = f"name one of {', '.join(suffixes())}"
@@ -48,5 +48,5 @@ def read_joint_file(path: str | Path) -> JointFile:
 
 
 def read_joint_bytes(path: Path, data: bytes) -> JointFile:
-    """The same from the bytes of a file. Raises FileError."""
+    """Read a joint file from its bytes. Raises FileError."""
     return _READERS[path.suffix.lower()](path, data)

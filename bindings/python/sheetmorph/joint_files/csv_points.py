@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Points with part ids in lines: VIP files, and tables whose first line names the columns."""
+"""Points with part ids in lines: VIP files, and tables with a header line."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ _AXIS = re.compile(r"(?:([xyz])|([xyz])(?:pos|coord)\w*|(?:pos|coord)\w*([xyz]))
 
 @dataclass(frozen=True)
 class _Line:
-    """A line: its number from 0, and where its fields are."""
+    """A line: its number from 0, and the byte ranges of its fields."""
 
     number: int
     fields: list[tuple[int, int]]
 
 
 def read_vip(path: Path, data: bytes) -> JointFile:
-    """The spot welds of a VIP file. Raises FileError."""
+    """Read the spot welds of a VIP file. Raises FileError."""
     file = JointFile(path, data, "VIP")
     others = 0
     for number, begin, end in _lines(data):
@@ -59,7 +59,7 @@ def read_vip(path: Path, data: bytes) -> JointFile:
 
 
 def read_csv(path: Path, data: bytes) -> JointFile:
-    """The points of a table. Raises FileError."""
+    """Read the points of a table. Raises FileError."""
     file = JointFile(path, data, "CSV")
     rows = _rows(file)
     head = next(rows, None)
@@ -74,7 +74,7 @@ def read_csv(path: Path, data: bytes) -> JointFile:
         name = _shown(data, line.fields[others["id"]]) if "id" in others else str(line.number + 1)
         kind = _shown(data, line.fields[others["kind"]]) if "kind" in others else ""
         joint = Joint(name, kind, line.number)
-        # Parts in further columns than the first line names belong to the last of them.
+        # Extra columns beyond the header belong to its last part column.
         wanted = [k for k in others["parts"] if k < len(line.fields)]
         wanted += range(count, len(line.fields)) if others["parts"] else []
         joint.parts = _parts(data, [line.fields[k] for k in wanted])
@@ -90,7 +90,7 @@ def _lines(data: bytes) -> Iterator[tuple[int, int, int]]:
 
 
 def _rows(file: JointFile) -> Iterator[_Line]:
-    """The lines with something in them; the first of them tells what is between the columns."""
+    """Yield the non-empty lines; the first one determines the separator."""
     separator = None
     for number, begin, end in _lines(file.data):
         raw = file.data[begin:end]
@@ -105,16 +105,16 @@ def _rows(file: JointFile) -> Iterator[_Line]:
 
 
 def _fields(data: bytes, begin: int, end: int, separator: bytes) -> list[tuple[int, int]]:
-    """Where the fields of a line are, quotation marks left out."""
+    """Return the byte ranges of the fields of a line, without quotation marks."""
     rule = re.compile(rb"(%s|[^%s]*)(%s|$)" % (_QUOTED, separator, separator))
-    # Where something stands behind a closing quotation mark.
+    # For text after a closing quotation mark.
     plain = re.compile(rb"([^%s]*)(%s|$)" % (separator, separator))
     found, at = [], begin
     raw = data[begin:end]
     place = 0
     while True:
         match = rule.match(raw, place) or plain.match(raw, place)
-        assert match is not None  # a field may be empty, and so may the rest of a line
+        assert match is not None  # the pattern also matches an empty field or an empty rest
         first, last = match.span(1)
         inner = raw[first:last]
         if re.fullmatch(_QUOTED, inner):
@@ -127,7 +127,7 @@ def _fields(data: bytes, begin: int, end: int, separator: bytes) -> list[tuple[i
 
 
 def _columns(file: JointFile, head: _Line) -> tuple[list[int], dict[str, Any]]:
-    """The columns of x, y and z, and those of other things."""
+    """Return the columns of x, y and z, and those of other data."""
     axes: dict[str, int] = {}
     others: dict[str, Any] = {"parts": []}
     units = set()
@@ -156,7 +156,7 @@ def _columns(file: JointFile, head: _Line) -> tuple[list[int], dict[str, Any]]:
 
 
 def _name_and_unit(shown: str) -> tuple[str, str]:
-    """ "x" and "mm" of "x [mm]"."""
+    """Split "x [mm]" into "x" and "mm"."""
     found = re.search(r"[\[(]([^\])]*)[\])]", shown)
     return (shown[: found.start()], found.group(1).strip()) if found else (shown, "")
 

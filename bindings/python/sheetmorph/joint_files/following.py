@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Points of welds and bolts on their way: with the sheets that they join, and whether they hold."""
+"""Points of welds and bolts that follow the joined sheets, and checks of the joints."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ from . import read_joint_file
 from .points import Joint, JointFile
 from .sheets import Foot, Piece, Sheets
 
-# A point is on a sheet that is not farther than this, mm, or the middle length of its edges.
+# Largest distance of a point from its sheet, mm, or the median edge length if that is larger.
 _REACH = 10.0
-# A joint is broken by half its gap, by half the thickness of its thinnest sheet, or by this part
-# of the middle length of the edges of its sheets, whichever is most.
+# A joint is broken if it opens by more than the largest of these: half its gap, half the thickness
+# of its thinnest sheet, and this share of the median edge length of its sheets.
 _HALF, _OF_EDGE = 0.5, 0.1
 _SHOWN = 20
 _MOST_SHEETS = 8
@@ -31,8 +31,11 @@ _MOST_SHEETS = 8
 
 @dataclass(frozen=True)
 class Placed:
-    """Points (n, 3) mm and directions (d, 3) of a file; by point where each of its sheets carries
-    it, and the feet on them before and after, (k, 3)."""
+    """The moved points (n, 3), mm, and directions (d, 3) of a file.
+
+    images has for each point its position according to each sheet. feet has its feet on the sheets
+    before and after, (k, 3).
+    """
 
     points: Floats
     directions: Floats
@@ -41,7 +44,7 @@ class Placed:
 
 
 class JointSource:
-    """A file of joints of a recipe, held by the sheets at rest."""
+    """A joint file of a recipe, attached to the sheets at rest."""
 
     def __init__(self, file: JointFile, settings: JointFileEntry, sheets: Sheets):
         self.file, self.settings, self._sheets = file, settings, sheets
@@ -52,7 +55,7 @@ class JointSource:
         self.left: list[Joint] = [joint for joint in file.joints if not self._attach(joint)]
 
     def _attach(self, joint: Joint) -> bool:
-        """Find the sheets of a joint; whether all its points have one."""
+        """Find the sheets of a joint; return whether every point has one."""
         pieces = [self._sheets.named(names) for names in joint.parts if names]
         self._unknown |= {
             names[0] for names, found in zip(joint.parts, pieces) if names and not found
@@ -67,7 +70,7 @@ class JointSource:
         return all(self._feet[row] for row in joint.points)
 
     def _nearest(self, pieces: list[Piece], row: int) -> tuple[Foot, Piece] | None:
-        """The nearest place of some sheets, if it is near enough."""
+        """Return the nearest foot on some sheets, if it is close enough."""
         found = None
         for piece in pieces:
             foot = piece.foot(self._points[row])
@@ -79,24 +82,26 @@ class JointSource:
         return found
 
     def targets(self, folder: Path) -> list[Path]:
-        """The file that a run writes."""
+        """Return the files that a run writes."""
         return [folder / self.file.path.name]
 
     def write_into(self, files: FileSet, path: Path, of_parts: Mapping[str, Floats]) -> None:
-        """Write the file with the parts at their positions, named when `files` commits."""
+        """Write the file for the given part positions; it gets its name when `files` commits."""
         placed = self._placed(self._motions(of_parts))
         temporary = files.temporary_for(path)
         with files.named(temporary), temporary.open("wb") as out:
             self.file.save(placed.points, placed.directions, out)
 
     def told(self, of_parts: Mapping[str, Floats]) -> dict[str, Any]:
-        """For the report: what moved, what stays, which joints came apart."""
+        """Return the report entry: moved and unattached points, and broken joints."""
         placed = self._placed(self._motions(of_parts))
         return self._told(placed, placed.points)
 
     def told_of(self, path: Path, of_parts: Mapping[str, Floats]) -> dict[str, Any]:
-        """The same of a file that was written, with the parts at their (n, 3) positions as they
-        were written. Raises FileError if it is not there or has other joints."""
+        """Return the report entry of a written file, with the parts at positions (n, 3).
+
+        Raises FileError if it is missing or has other joints.
+        """
         again = read_joint_file(path)
         names = [joint.name for joint in self.file.joints]
         if [j.name for j in again.joints] != names or len(again.points) != len(self._points):
@@ -155,7 +160,7 @@ class JointSource:
         }
 
     def _entry(self, joint: Joint, placed: Placed, points: Floats) -> dict[str, Any]:
-        """A joint: the gap of its sheets before and after, and by how much it came apart."""
+        """Return the entry of a joint: its gap before and after, and how far it opened."""
         change, limit = 0.0, 0.0
         gaps = [0.0, 0.0]
         for row in joint.points:
@@ -206,7 +211,7 @@ def _image(motions: list[Motion], foot: Foot, point: Floats) -> Floats:
 
 
 def _places(motions: list[Motion], feet: Sequence[Foot]) -> tuple[Floats, Floats]:
-    """(k, 3) where feet are, before and after."""
+    """Return the positions (k, 3) of feet, before and after."""
     found: tuple[list[Floats], list[Floats]] = ([], [])
     for foot in feet:
         motion = motions[foot.source]
@@ -217,13 +222,13 @@ def _places(motions: list[Motion], feet: Sequence[Foot]) -> tuple[Floats, Floats
 
 
 def _widest(places: Floats, point: Floats) -> float:
-    """The largest distance among some places and a point."""
+    """Return the largest distance among some positions and a point."""
     whole = np.concatenate([places, point[None]])
     return float(np.linalg.norm(whole[:, None] - whole, axis=2).max())
 
 
 def joint_sources(parts: Parts, base: str | Path) -> list[JointSource]:
-    """The files of welds and bolts that a recipe names, relative to `base`. Raises RecipeError."""
+    """Read the joint files of a recipe, relative to `base`. Raises RecipeError."""
     if not parts.joint_files:
         return []
     thickness = {

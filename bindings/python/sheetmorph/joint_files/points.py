@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a file of welds and bolts says, and the same bytes with points that moved."""
+"""The content of a joint file, and its bytes with moved points."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from ..arrays import Floats
 from ..errors import FileError
 
 _REAL = re.compile(rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?")
-# Beyond it, squares of coordinates overflow.
+# The squares of larger coordinates can overflow.
 _LARGEST = 1e100
 
 
 @dataclass
 class Joint:
-    """A weld, a bolt, a line or a face of glue.
+    """A weld, a bolt, or a line or face of adhesive.
 
-    name: its id or label; kind: what the file calls it; line: from 0; parts: what it joins, each by
-    all the names that the file gives; points, directions: their rows.
+    name is its id or label, kind is the type in the file, and line counts from 0. parts lists the
+    joined parts, each with all its names. points and directions are rows.
     """
 
     name: str
@@ -37,7 +37,7 @@ class Joint:
 
 @dataclass(frozen=True)
 class Number:
-    """A number in a file: its value, and where its bytes are."""
+    """A number in a file: its value and byte range."""
 
     value: float
     begin: int
@@ -45,10 +45,10 @@ class Number:
 
 
 class JointFile:
-    """A file of joints.
+    """A joint file.
 
-    path; data: its bytes; form: the name of the format; joints; points: (n, 3) mm; directions:
-    (d, 3), of any length; notes: what a user should know.
+    data has its bytes and form the name of its format. points is (n, 3), mm, and directions (d, 3)
+    of any length. notes are remarks for the user.
     """
 
     def __init__(self, path: Path, data: bytes, form: str):
@@ -61,28 +61,30 @@ class JointFile:
         self._directions: list[list[Number]] = []
 
     def add_point(self, joint: Joint, numbers: Sequence[Number]) -> None:
-        """A point of a joint, in the unit of the file."""
+        """Add a point of a joint, in the unit of the file."""
         joint.points.append(len(self._points))
         self._points.append(list(numbers))
 
     def add_direction(self, joint: Joint, numbers: Sequence[Number]) -> None:
-        """A direction that turns with a joint."""
+        """Add a direction that rotates with a joint."""
         joint.directions.append(len(self._directions))
         self._directions.append(list(numbers))
 
     @property
     def points(self) -> Floats:
-        """(n, 3) mm."""
+        """Points (n, 3), mm."""
         return self.unit * _values(self._points)
 
     @property
     def directions(self) -> Floats:
-        """(d, 3), of any length."""
+        """Directions (d, 3) of any length."""
         return _values(self._directions)
 
     def save(self, points: Floats, directions: Floats, out: BinaryIO) -> None:
-        """Write the file with its points at (n, 3) mm and its directions (d, 3); the bytes of
-        numbers that stay, and all others, are as they were."""
+        """Write the file with points (n, 3), mm, and directions (d, 3).
+
+        The bytes of unchanged numbers and of everything else stay the same.
+        """
         edits = _edits(self._points, points, self.points, self.unit)
         edits += _edits(self._directions, directions, self.directions, 1.0)
         done = 0
@@ -93,11 +95,11 @@ class JointFile:
         out.write(self.data[done:])
 
     def error(self, line: int | None, what: str, todo: str = "correct the file") -> FileError:
-        """A FileError at a line from 0."""
+        """Return a FileError at a line, counted from 0."""
         return FileError(self.path, what, todo, None if line is None else line + 1)
 
     def number(self, begin: int, end: int, line: int, what: str) -> Number:
-        """The number in some bytes, blanks around it left out. Raises FileError."""
+        """Parse the number in a byte range, without blanks around it. Raises FileError."""
         raw = self.data[begin:end]
         shown = raw.strip()
         begin += len(raw) - len(raw.lstrip())

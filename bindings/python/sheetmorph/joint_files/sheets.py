@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The sheets of a recipe as files of joints name them: parts, numbers of properties, groups."""
+"""The sheets of a recipe by their names in joint files: parts, property numbers, groups."""
 
 from __future__ import annotations
 
@@ -22,8 +22,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Foot:
-    """The place of a sheet that is nearest to a point: source: its number; triangle: of the mesh of
-    the source; where on it; distance: mm; thickness: of the sheet there, 0 if it is not known."""
+    """The point of a sheet nearest to a given point.
+
+    source is the number of the file and triangle that of its mesh. distance and thickness are in
+    mm; thickness is 0 if not given.
+    """
 
     source: int
     triangle: int
@@ -34,8 +37,11 @@ class Foot:
 
 @dataclass(frozen=True)
 class Piece:
-    """Some triangles (k,) of a source: its number, a tree of them, the thickness of the sheet, and
-    the middle length of its edges, mm."""
+    """Triangles (k,) of a source with their search tree.
+
+    source is the number of the file. thickness is that of the sheet and edge the median edge
+    length, mm.
+    """
 
     source: int
     triangles: Ints
@@ -44,7 +50,7 @@ class Piece:
     edge: float
 
     def foot(self, point: Floats) -> Foot | None:
-        """The nearest place to a point."""
+        """Return the nearest point of the sheet, or None."""
         hit = self.tree.nearest_point(point)
         if hit is None:
             return None
@@ -54,7 +60,7 @@ class Piece:
 
 
 class Sheets:
-    """The sheets of all part files at rest, as they stand in the assembly."""
+    """The sheets of all part files at rest, in assembly coordinates."""
 
     def __init__(self, sources: Sequence[Source], thickness: Mapping[str, float]):
         self.sources = list(sources)
@@ -63,7 +69,7 @@ class Sheets:
         self._pieces: dict[tuple[str, ...], list[Piece]] = {}
 
     def named(self, names: tuple[str, ...]) -> list[Piece]:
-        """The sheets that one of these names stands for, the first that stands for any."""
+        """Return the sheets of the first name that matches any."""
         if names not in self._pieces:
             found: list[Piece] = []
             for name in names:
@@ -73,7 +79,7 @@ class Sheets:
         return self._pieces[names]
 
     def all(self) -> list[Piece]:
-        """Every part."""
+        """Return all parts."""
         if () not in self._pieces:
             names = [name for source in self.sources for name in source.members]
             self._pieces[()] = [piece for name in names for piece in self._of_part(name)]
@@ -88,7 +94,7 @@ class Sheets:
         ]
 
     def _of_number(self, wanted: str) -> list[Piece]:
-        """By the number of a property, a PID."""
+        """Return the sheets with a property number (PID)."""
         if not wanted.isdecimal():
             return []
         number, found = int(wanted[:18]), []
@@ -122,7 +128,7 @@ class Sheets:
         return Piece(number, rows, tree, thickness, middle_edge(points, triangles))
 
     def motions(self, of_parts: Mapping[str, Floats], feet: Sequence[Foot]) -> list[Motion]:
-        """How each source moves at some feet, its parts at (n, 3) positions."""
+        """Return the motion of each source at some feet, with its parts at positions (n, 3)."""
         found = []
         for k, source in enumerate(self.sources):
             own = source.positions(dict(of_parts))

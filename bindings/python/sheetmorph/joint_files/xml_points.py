@@ -17,7 +17,7 @@ _FORMS = {"xmcf": "xMCF", "xml_connection_file": "MCF"}
 _UNITS = {"mm": 1.0, "cm": 10.0, "dm": 100.0, "m": 1000.0, "in": 25.4, "inch": 25.4, "ft": 304.8}
 _CONNECTIONS = ("connection_0d", "connection_1d", "connection_2d")
 _DIRECTIONS = ("normal_direction", "tangential_direction")
-# What stands in a connection besides what kind it is.
+# Elements of a connection that do not give its kind.
 _BESIDES = {"loc", "loc_list", "face_list", "appdata", "femdata", "info", "id", "type", "title"}
 _BESIDES |= {"custom_attributes_list", "contact_list", *_DIRECTIONS}
 _TAG = re.compile(rb"""<(?:[^"'<>]|"[^"]*"|'[^']*')*>""")
@@ -25,12 +25,12 @@ _TOKEN = re.compile(rb"[^\s,;]+")
 
 
 def read_xml(path: Path, data: bytes) -> JointFile:
-    """The connections of an MCF or xMCF file. Raises FileError."""
+    """Read the connections of an MCF or xMCF file. Raises FileError."""
     return _Reader(JointFile(path, data, "xMCF")).read()
 
 
 class _Reader:
-    """The state while a file is read."""
+    """The state of the parser."""
 
     def __init__(self, file: JointFile):
         self._file = file
@@ -148,7 +148,7 @@ class _Reader:
         return self._file.number(begin, end, self._line, what)
 
     def _direction(self) -> None:
-        """A direction of a point turns with it; those of lines and faces are left alone."""
+        """Add a direction of a point; those of lines and faces stay unchanged."""
         assert self._joint is not None
         if "connection_0d" not in self._stack:
             self._untold += 1

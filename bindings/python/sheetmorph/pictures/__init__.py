@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures of morphs without a window: scenes of sheets, regions, arrows, drawn to PNG files."""
+"""Pictures of morphs without a window: scenes of sheets, regions and arrows as PNG files."""
 
 from .drawing import PictureError, draw
 from .morphs import before_and_after, scene_of_answer, scene_of_recipe

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scenes drawn by VTK on a virtual screen, in a process of its own.
+"""Scenes drawn by VTK on a virtual screen, in a separate process.
 
-A graphics driver that gives up takes its process along; here that is one sentence.
+A crash of a graphics driver ends only that process and becomes an error message.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ _SECONDS_FOR_ONE = 120.0
 
 
 class PictureError(RuntimeError):
-    """A picture that cannot be drawn here, and what to install or do."""
+    """A picture that cannot be drawn on this machine, with the remedy."""
 
 
 def draw(pictures: Sequence[tuple[Scene, Path]], files: FileSet | None = None) -> None:
     """Draw every scene into its PNG file; all files appear, or none.
 
-    files: put them with other files, which the caller commits. Raises PictureError, FileError.
+    With files, the pictures join its set and the caller commits. Raises PictureError, FileError.
     """
     if files is None:
         with FileSet() as own:
@@ -51,14 +51,14 @@ def draw(pictures: Sequence[tuple[Scene, Path]], files: FileSet | None = None) -
 
 
 def _plain(scene: Scene) -> SimpleNamespace:
-    """The same for a program that knows no class of the package."""
+    """Return the scene as plain objects, for a program that does not load this package."""
     sheets = [SimpleNamespace(**vars(sheet)) for sheet in scene.sheets]
     arrows = [SimpleNamespace(**vars(arrow)) for arrow in scene.arrows]
     return SimpleNamespace(**{**vars(scene), "sheets": sheets, "arrows": arrows})
 
 
 def require_tools() -> None:
-    """Raises PictureError if what draws is not installed."""
+    """Check that the drawing tools are installed. Raises PictureError."""
     missing = []
     if importlib.util.find_spec("vtkmodules") is None:
         missing.append("python3-vtk9")
@@ -88,7 +88,7 @@ def _draw_on(screen: str, wanted: Path, count: int) -> None:
 
 @contextmanager
 def _screen() -> Iterator[str]:
-    """A virtual screen of our own, ":7" for example, as long as the block lasts."""
+    """Provide the name of a new virtual screen, such as ":7", for the duration of the block."""
     reading, writing = os.pipe()
     command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1600x1200x24", "-noreset"]
     try:
@@ -110,7 +110,7 @@ def _screen() -> Iterator[str]:
 
 
 def _number_from(reading: int) -> int:
-    """What the server tells when it is ready."""
+    """Return the screen number that the server writes when it is ready."""
     told = b""
     while not told.endswith(b"\n"):
         ready, _, _ = select.select([reading], [], [], _SECONDS_TO_START)

@@ -23,16 +23,16 @@ _ROLE_OF = {
     "point": "handle",
     "follower": "follower",
 }
-# An arrow for a handle that is told no shift, as a share of the size.
+# Shifts below this share of the size get no arrow.
 _SHORTEST = 0.02
 
 
 def scene_of_recipe(
     model: Model, meshes: Mapping[str, PartMesh], title: str = "", pose: str = ""
 ) -> Scene:
-    """What a recipe means: regions in the colours of their roles, arrows where handles go.
+    """Return a scene of a recipe: regions in the colours of their roles, arrows at moved handles.
 
-    pose: name of one of its poses instead of its own.
+    pose is the name of one of its poses; the default is its own pose.
     """
     regions = _regions(model, meshes)
     sheets = [sheet for name, mesh in meshes.items() for sheet in _painted(mesh, regions[name])]
@@ -47,7 +47,7 @@ def scene_of_recipe(
 
 
 def scene_of_answer(result: Answer, title: str = "") -> Scene:
-    """All parts in a pose, coloured by how far each place has moved."""
+    """Return a scene of all parts in a pose, coloured by displacement."""
     session = result.session
     sheets, largest = [], 0.0
     for name, positions in result.positions.items():
@@ -59,7 +59,7 @@ def scene_of_answer(result: Answer, title: str = "") -> Scene:
 
 
 def before_and_after(result: Answer) -> tuple[Scene, Scene]:
-    """What the recipe means, and the parts in the pose, seen from one place at one scale."""
+    """Return scenes of the recipe and of the pose, with the same view and scale."""
     session = result.session
     model = replace(session.model, pose=pose_of(result.pose))
     before = scene_of_recipe(model, session.meshes, "before")
@@ -68,7 +68,7 @@ def before_and_after(result: Answer) -> tuple[Scene, Scene]:
 
 
 def _with_room(scene: Scene, other: Scene) -> Scene:
-    """The scene with room for what is drawn in the other."""
+    """Add invisible points to a scene, so that it has room for the content of another."""
     ends = [point for arrow in other.arrows for point in (arrow.start, arrow.end)]
     places = [*(sheet.points for sheet in other.sheets), np.array(ends, float).reshape(-1, 3)]
     room = Sheet(np.concatenate(places), np.zeros((0, 3), int))
@@ -76,7 +76,7 @@ def _with_room(scene: Scene, other: Scene) -> Scene:
 
 
 def _regions(model: Model, meshes: Mapping[str, PartMesh]) -> dict[str, list[tuple[str, Ints]]]:
-    """By part: role and vertices of every region."""
+    """Return role and vertices of every region, by part."""
     found: dict[str, list[tuple[str, Ints]]] = {name: [] for name in meshes}
     marked = [(_ROLE_OF[region.kind], region) for region in model.regions]
     for contact in model.contacts:
@@ -88,8 +88,10 @@ def _regions(model: Model, meshes: Mapping[str, PartMesh]) -> dict[str, list[tup
 
 
 def _painted(mesh: PartMesh, regions: list[tuple[str, Ints]]) -> list[Sheet]:
-    """The part, each triangle in the colour of the last region that it belongs to, and lines along
-    what no triangle of a region shows, such as rims."""
+    """Return a part with each triangle in the colour of its last region.
+
+    Lines show region edges without a triangle, such as rims.
+    """
     roles = list(ROLES)
     owner = np.full(len(mesh.triangles), -1)
     lines = []
@@ -111,7 +113,7 @@ def _painted(mesh: PartMesh, regions: list[tuple[str, Ints]]) -> list[Sheet]:
 
 
 def _edges(triangles: Ints) -> Ints:
-    """(3 m, 2) of triangles (m, 3); an edge of two stands twice."""
+    """Return the edges (3 m, 2) of triangles (m, 3); a shared edge appears twice."""
     return triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
 
 
@@ -125,7 +127,7 @@ def _vertices(mesh: PartMesh, region: RegionEntry) -> Ints:
 def _arrows(
     model: Model, meshes: Mapping[str, PartMesh], motions: Mapping[str, Moved]
 ) -> list[Arrow]:
-    """Where every handle goes; an axis where it turns."""
+    """Return an arrow for the motion of every handle, and one for its rotation axis."""
     points = np.concatenate([mesh.points for mesh in meshes.values()])
     size = float(np.linalg.norm(np.ptp(points, axis=0))) or 1.0
     found = []

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draws the scenes of a file with VTK; a program of its own, started by `drawing`.
+"""A program that draws the scenes in a file with VTK; `drawing` starts it.
 
-It loads nothing of the package, which would take longer than the picture.
+It does not load the package, because that would take longer than the picture.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-# What the rendering classes are made of must be loaded, though nothing here names it.
+# These imports register the rendering back ends, although no name of them is used.
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
@@ -38,13 +38,13 @@ if TYPE_CHECKING:
     from .scene import Arrow, Colour, Scene, Sheet
 
 _TEXT: Colour = (0.13, 0.17, 0.22)
-_CREASE = 30.0  # degrees; a sharper edge stays one
+_CREASE = 30.0  # degrees; sharper edges are not smoothed
 _MARGIN = 1.12
 _SHADES = 256
 
 
 def paint(scene: Scene, path: str) -> None:
-    """One scene into one file."""
+    """Draw one scene into one file."""
     window, renderer = vtkRenderWindow(), vtkRenderer()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
@@ -75,7 +75,7 @@ def paint(scene: Scene, path: str) -> None:
 
 
 def _layer_before(renderer: Any, window: Any) -> Any:
-    """What is drawn there hides behind no sheet; seen by the same camera."""
+    """Return a renderer in front of all sheets, with the same camera."""
     before = vtkRenderer()
     window.SetNumberOfLayers(2)
     before.SetLayer(1)
@@ -85,7 +85,7 @@ def _layer_before(renderer: Any, window: Any) -> Any:
 
 
 def _bounds(renderers: list[Any]) -> list[float]:
-    """Of all that they draw: least and largest x, y, z."""
+    """Return the least and largest x, y, z of everything drawn."""
     bounds = np.array([renderer.ComputeVisiblePropBounds() for renderer in renderers])
     bounds = bounds[bounds[:, 0] <= bounds[:, 1]]
     if not len(bounds):
@@ -96,7 +96,7 @@ def _bounds(renderers: list[Any]) -> list[float]:
 
 
 def _table(scene: Scene) -> Any:
-    """The colours of the values."""
+    """Return the colour table of the values."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(_SHADES)
     places = np.linspace(0.0, 1.0, len(scene.ramp))
@@ -143,13 +143,13 @@ def _actors(sheet: Sheet, table: Any) -> list[Any]:
 
 
 def _lift(mapper: Any) -> None:
-    """Lines before the sheet that they lie on."""
+    """Draw lines in front of the sheet on which they lie."""
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
     mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-4.0, -4.0)
 
 
 def _cells(rows: Ints) -> Any:
-    """Cells of the same number of corners each, (m, k)."""
+    """Return cells (m, k) with the same number of corners."""
     whole = np.column_stack([np.full(len(rows), rows.shape[1]), rows]).astype(np.int64)
     cells = vtkCellArray()
     cells.SetCells(len(rows), numpy_to_vtkIdTypeArray(whole.ravel(), deep=True))
@@ -168,7 +168,7 @@ def _coloured(mapper: Any, colour: Colour) -> Any:
 
 
 def _size(scene: Scene) -> float:
-    """The diagonal of all there is, mm."""
+    """Return the diagonal of the scene, mm."""
     points = [sheet.points for sheet in scene.sheets if len(sheet.points)]
     if not points:
         return 1.0
@@ -216,7 +216,7 @@ def _look(renderer: Any, scene: Scene, bounds: list[float]) -> None:
 
 
 def _fit(renderer: Any, scene: Scene) -> None:
-    """Fills the picture: what is seen from there, not the ball around it."""
+    """Fit the view to the visible points, not to their bounding sphere."""
     ends = [np.array([a.start, a.end], float) for a in scene.arrows]
     points = [s.points for s in scene.sheets if len(s.points)] + ends
     if not points:
@@ -280,7 +280,7 @@ def _text(text: str, place: tuple[float, float], size: int) -> Any:
 
 
 def main(path: str) -> None:
-    """Draw what stands in the file."""
+    """Draw the scenes in a file."""
     for scene, picture in pickle.loads(Path(path).read_bytes()):
         paint(scene, picture)
 

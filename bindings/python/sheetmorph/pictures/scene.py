@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is to be seen in a picture; nothing here draws."""
+"""The content of a picture, independent of the drawing."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ ROLES: dict[str, Colour] = {
     "contact, side a": (0.86, 0.16, 0.44),
     "contact, side b": (0.02, 0.66, 0.78),
 }
-# Where handles go, and about what they turn.
+# Arrows for the shift of a handle, and for its rotation axis.
 SHIFT: Colour = (0.66, 0.29, 0.02)
 TURN: Colour = (0.75, 0.2, 0.6)
-# From the grey of the sheet over yellow to dark red.
+# From the grey of the sheet through yellow to dark red.
 _RAMP: Sequence[Colour] = (SHEET, (0.99, 0.86, 0.45), (0.93, 0.45, 0.17), (0.62, 0.05, 0.15))
 
 
@@ -32,7 +32,7 @@ _RAMP: Sequence[Colour] = (SHEET, (0.99, 0.86, 0.45), (0.93, 0.45, 0.17), (0.62,
 class Sheet:
     """Triangles (m, 3) over points (n, 3) in mm, in one colour or coloured by values (n,).
 
-    lines: (k, 2) point indices of strong lines.
+    lines (k, 2) has the point indices of bold lines.
     """
 
     points: Floats
@@ -44,7 +44,7 @@ class Sheet:
 
 @dataclass(frozen=True)
 class Arrow:
-    """From a point to another, mm."""
+    """An arrow between two points, mm."""
 
     start: Sequence[float]
     end: Sequence[float]
@@ -53,8 +53,12 @@ class Arrow:
 
 @dataclass(frozen=True)
 class Scene:
-    """A picture: what is in it, a title, a legend (text and colour), what values mean with their
-    range and colours, and the direction from the middle to the eye."""
+    """A picture.
+
+    sheets and arrows are its content, and legend maps a text to its colour. values names the
+    quantity of the colours, with its range in span and its colours in ramp. view is the direction
+    from the centre to the eye.
+    """
 
     sheets: Sequence[Sheet]
     arrows: Sequence[Arrow] = ()

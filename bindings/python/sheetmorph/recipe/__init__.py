@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The recipe: the one description of a morph, checked as a whole before anything is computed."""
+"""The recipe, which describes a morph; it is checked completely before any computation."""
 
 from __future__ import annotations
 
@@ -42,19 +42,28 @@ __all__ = [
 
 
 def validate(recipe: dict[str, Any], base: str | Path = ".") -> None:
-    """Check a recipe and the files it names, relative to `base`.
+    """Check a recipe and the files that it names.
 
-    Raises RecipeError; its ``faults`` list everything that was found.
+    Parameters
+    ----------
+    recipe : dict
+        The recipe.
+    base : str or path
+        Folder to which its paths are relative.
+
+    Raises
+    ------
+    RecipeError
+        If the recipe has faults; ``faults`` lists all of them.
     """
     prepare(recipe, base)
 
 
 def prepare(recipe: Any, base: str | Path, progress: Progress | None = None) -> Parts:
-    """The parts of a recipe, read from their files; ``resolved``: with ids in place of selectors;
-    what it asks to find in them is in ``found``.
+    """Read the parts of a recipe and check it; ``resolved`` has ids in place of selectors.
 
-    progress(fraction, task) may return False to cancel (RuntimeError). Raises RecipeError,
-    KernelError if something is to be found without a kernel.
+    ``found`` has the search result for "auto" entries. progress(fraction, task) may return False to
+    cancel (RuntimeError). Raises RecipeError, and KernelError if a search needs the missing kernel.
     """
     model, faults = _model(recipe)
     parts = read_parts(model.parts, base, progress)
@@ -72,7 +81,7 @@ def prepare(recipe: Any, base: str | Path, progress: Progress | None = None) -> 
 
 
 def with_ids(parts: Parts) -> dict[str, Any]:
-    """The recipe of the parts with vertex ids in place of selectors, and what was found."""
+    """Return the recipe with vertex ids for selectors, and with found entries for "auto"."""
     ids = parts.resolved.recipe
     return ids if parts.found is None else filled(ids, parts.found)
 
@@ -84,9 +93,10 @@ def _resolved(recipe: Any, model: Model, meshes: Mapping[str, PartMesh]) -> Reso
 def check_with_meshes(
     recipe: Any, meshes: Mapping[str, PartMesh], found: Found | None = None
 ) -> Model:
-    """The entries of a recipe whose parts are given as meshes, by name.
+    """Return the model of a recipe whose parts are given as meshes, by name.
 
-    found: what was found for it before; else what it asks for is found now. Raises RecipeError.
+    found is an earlier search result; without it the function searches for "auto" entries. Raises
+    RecipeError.
     """
     model, faults = _model(recipe)
     model = model.with_parts(parts_of_meshes(model.parts, meshes))
@@ -116,7 +126,7 @@ def check_with_meshes(
 def _with_common_nodes(
     recipe: Mapping[str, Any], model: Model, meshes: Mapping[str, PartMesh]
 ) -> Model:
-    """With contacts of the nodes that parts of one deck share and that no contact holds."""
+    """Add contacts at nodes that parts of one deck share, unless a contact already joins them."""
     more = missing_entries(meshes, recipe.get("contacts") or [])
     if not more:
         return model
@@ -125,10 +135,10 @@ def _with_common_nodes(
 
 
 def check_pose(model: Model, pose: Any) -> dict[str, Moved]:
-    """A pose with all its entries typed: the one door on the way to the kernel.
+    """Return a pose with typed entries; every pose for the kernel is checked here.
 
-    pose: what stands under "pose" in a recipe, entries that are typed already as they are. Raises
-    RecipeError.
+    pose has the form of the recipe key "pose"; entries that are already typed stay as they are.
+    Raises RecipeError.
     """
     faults = pose_faults(pose)
     if faults:

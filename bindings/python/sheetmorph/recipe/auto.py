@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`"features": "auto"` and `"contacts": "auto"`: what is found takes the place of the word."""
+"""`"features": "auto"` and `"contacts": "auto"`: the search result replaces the word."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from .places import driven_in
 from .stacks import regions_by_vertex, solvable
 
 SECTIONS = ("features", "contacts")
-# Options of "auto" that every feature gets as its own.
+# Options of "auto" that are copied to every feature.
 _OF_EVERY = ("rotation",)
 
 
 def asked_sections(recipe: Any) -> dict[str, dict[str, Any]]:
-    """The options of every section that is to be found, by section; {} for the plain word."""
+    """Return the search options of every "auto" section; {} for the plain word."""
     asked: dict[str, dict[str, Any]] = {}
     for section in SECTIONS if isinstance(recipe, dict) else ():
         value = recipe.get(section)
@@ -35,7 +35,7 @@ def asked_sections(recipe: Any) -> dict[str, dict[str, Any]]:
 
 
 def without_auto(recipe: Any) -> Any:
-    """A recipe in which sections to be found are empty lists."""
+    """Return the recipe with empty lists in its "auto" sections."""
     asked = asked_sections(recipe)
     return {**recipe, **{section: [] for section in asked}} if asked else recipe
 
@@ -46,10 +46,10 @@ def search(
     connections: Sequence[Connection] = (),
     progress: Progress | None = None,
 ) -> Found:
-    """What is found in the parts for a recipe of sound form.
+    """Search the parts of a recipe for features and contacts.
 
-    connections: elements that hold two parts together, as find() takes them.
-    Raises RuntimeError if the kernel is missing.
+    connections are elements that join two parts, as for find(). The form of the recipe is already
+    checked. Raises RuntimeError without a kernel.
     """
     asked = asked_sections(recipe)
     with_contacts = "contacts" in asked
@@ -59,14 +59,16 @@ def search(
 
 
 def filled(recipe: dict[str, Any], found: Found) -> dict[str, Any]:
-    """The recipe with lists in place of what was to be found."""
+    """Return the recipe with lists in place of its "auto" sections."""
     lists = {section: getattr(found, section) for section in asked_sections(recipe)}
     return {**recipe, **lists}
 
 
 def in_file_ids(recipe: dict[str, Any], meshes: Mapping[str, PartMesh]) -> dict[str, Any]:
-    """The recipe with ids of the file, the nearest there are, where those of prepared meshes stand;
-    what is found has ids of the file too."""
+    """Return the recipe with file ids in place of ids of prepared meshes, for the search.
+
+    Each is the id of the nearest file vertex.
+    """
     changed = dict(recipe)
     for section in ("fixed", "handles", "regions", "features"):
         if isinstance(recipe.get(section), list):
@@ -122,7 +124,7 @@ def _taken(
 def _wanted_features(
     options: Mapping[str, Any], found: list[dict[str, Any]], left_out: list[str]
 ) -> list[dict[str, Any]]:
-    """Those of the kinds and parts asked for; holes of other kinds are told."""
+    """Return the features of the requested kinds and parts; report omitted holes in left_out."""
     kinds, parts = options.get("kinds", (*USUAL_FEATURES, "rigid body")), options.get("parts")
     on_parts = [entry for entry in found if parts is None or entry["part"] in parts]
     left_out += [
@@ -136,9 +138,9 @@ def _wanted_features(
 def _without_conflicts(
     recipe: Mapping[str, Any], entries: list[dict[str, Any]], left_out: list[str]
 ) -> list[dict[str, Any]]:
-    """The features with those of their washer rings that no other feature or region claims.
+    """Return the features with their washer rings, as far as nothing else claims the rings.
 
-    Those that share vertices become one; one torn between two regions is left out.
+    Features that share vertices are joined. A feature between two regions is left out.
     """
     regions = regions_by_vertex(recipe)
     entries = _joined(entries, left_out)
@@ -170,7 +172,7 @@ def _without_conflicts(
 
 
 def _joined(entries: list[dict[str, Any]], told: list[str]) -> list[dict[str, Any]]:
-    """Entries that share vertices as one, under the name of the first."""
+    """Join entries that share vertices, under the name of the first."""
     kept: dict[str, dict[str, Any]] = {}
     owner: dict[tuple[str, int], str] = {}
     for entry in entries:
@@ -180,7 +182,7 @@ def _joined(entries: list[dict[str, Any]], told: list[str]) -> list[dict[str, An
         joined = [kept.pop(name) for name in touched[1:]] + [entry]
         for other in joined if touched else []:
             vertices = {*kept[first]["vertices"], *other["vertices"]}
-            # Rings around one of them go through the other.
+            # The rings around one feature cross the other.
             kept[first] = {**kept[first], "vertices": sorted(vertices), "washer": []}
             told.append(f"{other['name']}: one feature with {first}, they share vertices")
         if not touched:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a recipe of sound form can still get wrong: names, numbers, ids that do not exist."""
+"""Checks after the schema: names, numbers, and ids that do not exist."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ _NOT_POSED = ("fixed", "follower")
 
 @dataclass(frozen=True)
 class Known:
-    """Names a recipe declares, also in entries that are faulty otherwise.
+    """Names that a recipe declares, including those of faulty entries.
 
-    parts; posed: handles, features and points; unread: beginnings of names of parts that may be in
-    files that cannot be read; is_held: whether anything is fixed or moved.
+    posed has the handles, features and points. unread has name prefixes of parts in unreadable
+    files. is_held states whether any vertex is prescribed.
     """
 
     parts: frozenset[str]
@@ -39,7 +39,7 @@ class Known:
 
     @classmethod
     def of(cls, model: Model, written: Any, unread: Sequence[str] = ()) -> Known:
-        """The names in a model and in the recipe as the user wrote it."""
+        """Return the names of a model and of the recipe as the user wrote it."""
         recipe = written if isinstance(written, dict) else {}
         parts = names_in(recipe, "parts") | {part.name for part in model.parts}
         posed = set().union(*(names_in(recipe, section) for section in _POSED))
@@ -47,15 +47,15 @@ class Known:
         return cls(frozenset(parts), frozenset(posed), tuple(unread), is_held)
 
     def has_part(self, name: str) -> bool:
-        """Whether a part of this name exists, or may exist in a file that cannot be read."""
+        """Return whether a part of this name exists, or can exist in an unreadable file."""
         return name in self.parts or name.startswith(self.unread)
 
 
 def meaning_faults(model: Model, known: Known) -> list[Fault]:
-    """Faults that can be found without the meshes."""
+    """Return the faults that are visible without meshes."""
     faults = [*_repeated_names(model), *_primary(model, known)]
     for region in model.all_regions:
-        if not region.part:  # of a part's own `driven`
+        if not region.part:  # the key `driven` of a part that is split
             what = "the entry stands for several parts"
             todo = 'list them under "regions", as followers'
             faults.append(Fault(region.where, what, todo).about(region.subject))
@@ -82,9 +82,9 @@ def meaning_faults(model: Model, known: Known) -> list[Fault]:
 def pose_meaning_faults(
     model: Model, pose: Mapping[str, Moved], place: tuple[str, Set[str]] = ("pose", frozenset())
 ) -> list[Fault]:
-    """Faults of a pose.
+    """Return the faults of a pose.
 
-    place: where it stands in the recipe, and names that exist though their entries are faulty.
+    place has its location in the recipe, and the names of entries that exist but are faulty.
     """
     regions = {region.name: region for region in model.regions if region.kind not in _NOT_POSED}
     faults: list[Fault] = []
@@ -102,10 +102,7 @@ def pose_meaning_faults(
 
 
 def mesh_faults(model: Model, meshes: Mapping[str, PartMesh]) -> list[Fault]:
-    """Parts that cannot be computed, vertex ids and triangles that they do not have.
-
-    Parts without a mesh are passed over.
-    """
+    """Return the faults of meshes, vertex ids and triangles; parts without mesh are skipped."""
     faults = [
         fault.about(part.subject)
         for part in model.parts

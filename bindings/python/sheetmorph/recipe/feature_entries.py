@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What form features may do, what they keep between them, and the plane of symmetry."""
+"""Entries for form feature motions, feature groups and pairs, and the symmetry plane."""
 
 from __future__ import annotations
 
@@ -10,16 +10,17 @@ from ..errors import Subject
 
 Vector = tuple[float, float, float]
 
-# Keys of a recipe and the type of the relations in their lists.
+# Recipe keys, with the relation type of their entries.
 RELATIONS = (("groups", "group"), ("coaxial", "coaxial"), ("distance", "distance"))
 
 
 @dataclass(frozen=True)
 class FeatureMotion:
-    """What a form feature may do.
+    """The admissible motion of a form feature.
 
-    type: "free", "fixed", "translation", "plane", "line" or "axis"; point on the axis, mm;
-    direction: of the line or axis, normal of the plane, of any length but zero; keys: those given.
+    type is "free", "fixed", "translation", "plane", "line" or "axis". point lies on the axis, mm.
+    direction is that of the line or axis, or the normal of the plane, with any non-zero length.
+    keys are the given ones.
     """
 
     type: str = "free"
@@ -30,7 +31,7 @@ class FeatureMotion:
 
 @dataclass(frozen=True)
 class RelationEntry:
-    """Form features by name: a "group" that moves as one body, a "coaxial" or a "distance" pair."""
+    """Related features: a "group" that moves as one body, or a "coaxial" or "distance" pair."""
 
     where: str
     name: str
@@ -39,20 +40,20 @@ class RelationEntry:
 
     @property
     def subject(self) -> Subject:
-        """What a fault names it by."""
+        """The entry as named in a fault."""
         return Subject("group" if self.type == "group" else "pair", self.name)
 
 
 @dataclass(frozen=True)
 class SymmetryEntry:
-    """The plane the assembly is symmetric about; normal of any length but zero."""
+    """The symmetry plane of the assembly; the normal has any non-zero length."""
 
     point: Vector
     normal: Vector
 
 
 def feature_motion_of(entry: dict[str, Any]) -> FeatureMotion:
-    """The motion of a form feature, of sound form."""
+    """Return the motion of a form feature from a checked entry."""
     direction = entry.get("direction", entry.get("normal"))
     return FeatureMotion(
         entry.get("type", "free"), vector_of(entry.get("point")), vector_of(direction), tuple(entry)
@@ -60,22 +61,22 @@ def feature_motion_of(entry: dict[str, Any]) -> FeatureMotion:
 
 
 def relation_of(kind: str, where: str, k: int, entry: dict[str, Any]) -> RelationEntry:
-    """Entry number k of a list of groups or pairs, of sound form."""
+    """Return entry number k of a list of groups or pairs, from a checked entry."""
     return RelationEntry(where, entry.get("name", f"{kind}{k}"), kind, list(entry["features"]))
 
 
 def symmetry_of(entry: dict[str, Any] | None) -> SymmetryEntry | None:
-    """The plane of symmetry, of sound form."""
+    """Return the symmetry plane from a checked entry, or None."""
     if entry is None:
         return None
     return SymmetryEntry(vector_of(entry["point"]), vector_of(entry["normal"]))
 
 
 def vector_of(value: Any) -> Any:
-    """Three numbers as a Vector; None stays None."""
+    """Convert three numbers to a Vector; None stays None."""
     return None if value is None else (float(value[0]), float(value[1]), float(value[2]))
 
 
 def number_of(value: Any) -> float | None:
-    """A number as such; None stays None."""
+    """Convert a number to float; None stays None."""
     return None if value is None else float(value)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a search has put in place of the word `auto` in a recipe, and ids in place of selectors."""
+"""Results of the search for "auto" entries and of selectors."""
 
 from __future__ import annotations
 
@@ -10,8 +10,11 @@ from typing import Any
 
 @dataclass
 class Found:
-    """What a search put into a recipe: the entries; gap: the one used, mm; left_out: sentences on
-    features that were found and not taken."""
+    """Entries that a search found.
+
+    gap is the contact gap of the search, mm. left_out has sentences on features that were found but
+    not used.
+    """
 
     features: list[dict[str, Any]] = field(default_factory=list)
     contacts: list[dict[str, Any]] = field(default_factory=list)
@@ -19,7 +22,7 @@ class Found:
     left_out: list[str] = field(default_factory=list)
 
     def for_report(self, asked: Collection[str]) -> dict[str, Any]:
-        """The sections that were asked for, as the report tells them."""
+        """Return the requested sections as the report has them."""
         told: dict[str, Any] = {"left_out": self.left_out}
         if "features" in asked:
             told["features"] = self.features
@@ -30,8 +33,11 @@ class Found:
 
 @dataclass
 class Resolved:
-    """A recipe with vertex ids alone; told: by place of a region what its selector came to: area
-    (mm^2), distance (mm, of the farthest match from its point, or None), matches, remarks."""
+    """A recipe with vertex ids only.
+
+    The dict `told` maps the place of a region to its selector result. The result has the area in
+    mm^2, the distance in mm of the farthest match from its point or None, matches and remarks.
+    """
 
     recipe: dict[str, Any]
     told: dict[str, dict[str, Any]] = field(default_factory=dict)

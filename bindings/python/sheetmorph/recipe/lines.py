@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where in the text of a JSON or TOML file the entries of a recipe stand."""
+"""Locations of recipe entries in the text of a JSON or TOML file."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _Token = re.Match[str]
 
 
 class Lines:
-    """Line and column, from 1, of every entry of a sound text."""
+    """Line and column, from 1, of every entry of a valid text."""
 
     def __init__(self, text: str, recipe: Any, is_toml: bool = False):
         self._places: dict[str, tuple[int, int]] = {}
@@ -33,8 +33,9 @@ class Lines:
             self._places.setdefault(place_of(recipe, path), found)
 
     def of(self, fault: Fault) -> Fault:
-        """The fault with line and column of its place, or of the nearest entry around it."""
-        where = fault.where  # its beginnings are tried, not each place of the file
+        """Add line and column of the fault's entry, or of the nearest enclosing entry."""
+        # Prefixes of the place are looked up, which is faster than a search through all entries.
+        where = fault.where
         ends = [len(where), *(k for k in range(len(where)) if where[k] in ".[")]
         around = [where[:k] for k in ends if where[:k] in self._places]
         if not around:
@@ -44,7 +45,7 @@ class Lines:
 
 
 def repeated_key(text: str) -> tuple[int, int] | None:
-    """Line and column of the first key of a JSON text that stands twice in one object."""
+    """Return line and column of the first duplicate key in an object of a JSON text, or None."""
     seen: set[tuple[str | int, ...]] = set()
     for path, place in _entries(text):
         if tuple(path) in seen:
@@ -54,7 +55,7 @@ def repeated_key(text: str) -> tuple[int, int] | None:
 
 
 def _entries(text: str) -> Iterator[Entry]:
-    """Path and place of every value but single numbers in lists, in the order of the text."""
+    """Yield path and offset of every value except numbers in lists, in the order of the text."""
     path: list[str | int] = []
     kinds: list[str] = []
     is_key = False
@@ -83,8 +84,8 @@ def _entries(text: str) -> Iterator[Entry]:
 
 
 def _toml_entries(text: str) -> Iterator[Entry]:
-    """The same of TOML: headers of tables, keys, and what is no number in lists."""
-    last: dict[tuple[str | int, ...], int] = {}  # number of the last table of every list of tables
+    """Yield path and offset of TOML table headers, keys, and non-numbers in lists."""
+    last: dict[tuple[str | int, ...], int] = {}  # index of the last table in every array of tables
     base: list[str | int] = []
     tokens = [token for token in _TOML.finditer(text) if token[0][0] != "#"]
     at = 0
@@ -111,7 +112,7 @@ def _toml_entries(text: str) -> Iterator[Entry]:
 
 
 def _names(tokens: list[_Token], at: int, end: str) -> tuple[list[str], int]:
-    """The parts of a dotted key, and what comes behind its end."""
+    """Return the parts of a dotted key, and the token index after its end."""
     names = []
     while tokens[at][0] != end:
         token = tokens[at][0]
@@ -121,7 +122,7 @@ def _names(tokens: list[_Token], at: int, end: str) -> tuple[list[str], int]:
 
 
 def _value(tokens: list[_Token], at: int, path: list[str | int]) -> Generator[Entry, None, int]:
-    """The entries in a value; returns what comes behind it."""
+    """Yield the entries in a value; return the token index after it."""
     kind, number = tokens[at][0], 0
     if kind not in ("[", "{"):
         while at < len(tokens) and tokens[at][0] not in (",", "]", "}", "\n"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A recipe as typed entries, defaults filled in."""
+"""A recipe as typed entries with all defaults."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from .places import driven_in, place_of
 
 @dataclass(frozen=True)
 class Sheet:
-    """What a part is as `steel`; thickness: mm, 0 if the part itself has to tell."""
+    """Sheet properties for the energy `steel`; thickness is in mm, 0 to use that of the part."""
 
     thickness: float = 0.0
     poisson: float = 0.3
@@ -38,15 +38,35 @@ class Sheet:
 
 @dataclass(frozen=True)
 class PartEntry:
-    """A part; where: its place in the recipe, for messages; file: "" if none is given.
+    """A part of the recipe.
 
-    mode: 1 to 3 (section 4.1), 0 if left to the part; split: "components" or "property" if the
-    entry stands for several parts, "" if it is one; meshing: edge, deflection, angle of a CAD file.
-    thin: "auto" if it is solved as a thin solid where it is one, "by default" if it is because it
-    comes from CAD, "yes" if it must be one, "" if it is solved as it is; thickness: mm, 0 if it is
-    found out; wanted: scale, weld, remesh; placement: from the coordinates of the file, in mm, to
-    those of the assembly; sheet: as `steel`; write: how its shapes are written besides, None if
-    they are not; deck: `passengers` and `joints`, for parts in decks.
+    Attributes
+    ----------
+    where : str
+        Place in the recipe, for messages.
+    name, file : str
+        Name, and path of the file or "".
+    mode : int
+        1 to 3 (section 4.1); 0 to choose automatically.
+    split : str
+        "components" or "property" if the entry stands for several parts, else "".
+    meshing : dict or None
+        edge, deflection and angle for a CAD file.
+    thin : str
+        "yes" for a thin solid; "auto" or, for CAD files, "by default" for one if it is recognised;
+        "" for none.
+    thickness : float
+        Thickness of the thin solid, mm; 0 to measure it.
+    wanted : Wanted
+        Scale, weld and remesh.
+    placement : Placement
+        Maps file coordinates, mm, to those of the assembly.
+    sheet : Sheet
+        Properties for the energy `steel`.
+    write : CadWriting or None
+        Output of the CAD shapes.
+    deck : dict
+        `passengers` and `joints` of a deck.
     """
 
     where: str
@@ -65,25 +85,41 @@ class PartEntry:
 
     @property
     def subject(self) -> Subject:
-        """What a fault names it by."""
+        """The part as named in a fault."""
         return Subject("part", self.name)
 
     @property
     def stem(self) -> str:
-        """What stands before the "/" in the names of the parts of a split file."""
+        """Prefix before "/" in the names of the parts of a split file."""
         return unpacked_name(self.file).stem
 
 
 @dataclass(frozen=True)
 class RegionEntry:
-    """Vertices of a part (file ids, each once, in the recipe's order) or a point on a triangle.
+    """A set of vertices of a part, as unique file ids in recipe order, or a point on a triangle.
 
-    kind: "fixed", "handle", "feature", "point", "follower" or "side" (of a contact); pivot of a
-    handle (None: centroid); turning: "free" (the energy's), "interpolated" or "prescribed" of a
-    feature, "free" or "prescribed" of a handle; rotation of a prescribed feature or of a point
-    (None: free to turn); motion and size (mm) of a feature; target of a point; selector: what says
-    which vertices, still to be resolved; is_prepared: the vertices count in the prepared mesh;
-    owner: whose it is, if it is no entry of its own.
+    Attributes
+    ----------
+    kind : str
+        "fixed", "handle", "feature", "point", "follower" or "side" (of a contact).
+    pivot : Vector or None
+        Pivot of a handle, mm; None for the centroid.
+    turning : str
+        "free", "interpolated" or "prescribed" for a feature; "free" or "prescribed" for a handle.
+    rotation : Rotation or None
+        Rotation of a prescribed feature or of a point; None leaves it free.
+    motion : FeatureMotion
+        Admissible motion of a feature.
+    size : float or None
+        Size of a feature, mm.
+    target : Vector or None
+        Target position of a point, mm.
+    selector
+        Selector that is not resolved yet.
+    is_prepared : bool
+        The vertex ids are those of the prepared mesh.
+    owner : Subject or None
+        The entry that contains the region.
     """
 
     where: str
@@ -105,25 +141,25 @@ class RegionEntry:
 
     @property
     def subject(self) -> Subject:
-        """What a fault names it by: the contact of a side, the part of what it drives itself."""
+        """The region as named in a fault; a contact side or `driven` has its owner."""
         kind = "fixed region" if self.kind == "fixed" else self.kind
         return self.owner or Subject(kind, self.name)
 
     @property
     def is_point(self) -> bool:
-        """Whether it is a point on a triangle rather than a set of vertices."""
+        """Whether the region is a point on a triangle and not a set of vertices."""
         return self.vertices is None and self.selector is None
 
     @property
     def on_triangle(self) -> tuple[int, Vector]:
-        """The triangle of a point, and where on it."""
+        """The triangle of a point, and its barycentric coordinates."""
         assert self.triangle is not None and self.barycentric is not None
         return self.triangle, self.barycentric
 
 
 @dataclass(frozen=True)
 class ContactEntry:
-    """Two sides that stay together; type: "control mesh", "tied" or "rigid"."""
+    """Two sides that stay together; type is "control mesh", "tied" or "rigid"."""
 
     where: str
     name: str
@@ -133,14 +169,13 @@ class ContactEntry:
 
     @property
     def subject(self) -> Subject:
-        """What a fault names it by."""
+        """The contact as named in a fault."""
         return Subject("contact", self.name)
 
 
 @dataclass(frozen=True)
 class PropagationEntry:
-    """How motion reaches the other parts: "local", "single" or "whole", levels, smoothness c of
-    (3.3)."""
+    """Propagation: type "local", "single" or "whole", levels, smoothness c of (3.3)."""
 
     type: str = "local"
     levels: int = 3
@@ -149,8 +184,11 @@ class PropagationEntry:
 
 @dataclass(frozen=True)
 class JointFileEntry:
-    """A file of welds and bolts; reach and limit: mm, None for the usual; is_refused: whether a
-    broken joint is an error."""
+    """A file of welds and bolts.
+
+    reach and limit are in mm, None for the defaults. is_refused states whether a broken joint is an
+    error.
+    """
 
     where: str
     file: str
@@ -161,8 +199,10 @@ class JointFileEntry:
 
 @dataclass(frozen=True)
 class Model:
-    """A whole recipe; pose by the name of handle, feature or point, poses by
-    their names; found: what a search put in; told: by place of a region what its selector came to.
+    """A whole recipe.
+
+    pose maps names of handles, features and points to motions, and poses maps names to poses. found
+    is the search result. The dict `told` maps the place of a region to the result of its selector.
     """
 
     parts: list[PartEntry] = field(default_factory=list)
@@ -188,14 +228,14 @@ class Model:
         return [*self.regions, *(side for c in self.contacts for side in (c.a, c.b))]
 
     def with_parts(self, parts: list[PartEntry]) -> Model:
-        """The same with other parts; a single one is the primary if none is named."""
+        """Return a copy with other parts; a single part becomes the primary."""
         primary = self.primary
         if primary is None and len(parts) == 1:
             primary = parts[0].name
         return replace(self, parts=parts, primary=primary)
 
     def of_kind(self, kind: str) -> list[RegionEntry]:
-        """The fixed regions, handles, features or points."""
+        """Return the regions of one kind."""
         return [region for region in self.regions if region.kind == kind]
 
 
@@ -209,7 +249,7 @@ _SECTIONS = (
 
 
 def model_of(recipe: dict[str, Any]) -> Model:
-    """The entries of a recipe of sound form; entries that are None are left out."""
+    """Return the model of a recipe with checked form; entries that are None are left out."""
     parts = [_part(where, k, entry) for where, k, entry in _entries(recipe, "parts")]
     contacts = [_contact(where, k, entry) for where, k, entry in _entries(recipe, "contacts")]
     regions = [
@@ -247,7 +287,7 @@ def _joint_file(where: str, _number: int, entry: dict[str, Any]) -> JointFileEnt
 
 
 def _propagation(**entry: Any) -> PropagationEntry:
-    # JSON Schema takes 3.0 for a whole number, the kernel does not.
+    # JSON Schema accepts 3.0 as a whole number, but the kernel needs an int.
     sound = {key: value for key, value in entry.items() if value is not None}
     found = PropagationEntry(**sound)
     return replace(found, levels=int(found.levels), smoothness=float(found.smoothness))
@@ -268,7 +308,7 @@ def _part(where: str, k: int, entry: dict[str, Any]) -> PartEntry:
 
 
 def _thin(entry: dict[str, Any]) -> tuple[str, float]:
-    """ "auto", "by default", "yes" or "", and the thickness."""
+    """Return "auto", "by default", "yes" or "", and the thickness."""
     default = "by default" if is_cad(entry.get("file", "")) else ""
     thin = entry.get("thin", default)
     if isinstance(thin, dict):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The part files a recipe names."""
+"""The part files of a recipe."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import numpy as np
 from ..arrays import Floats, Ints
 from ..decks import is_deck
 from ..errors import Fault, FileError, fault_of
-from ..files import PartFile, is_cad, output_name, read_part, unpacked_name
+from ..files import PartFile, is_cad, output_name, unpacked_name
 from ..files.cad_writing import CadWriting
 from ..files.deck_file import DeckFile
 from ..files.prepared_file import PreparedFile
@@ -24,16 +24,15 @@ from .model import JointFileEntry, PartEntry
 from .placement import Placement
 from .splitting import SplitError, part_of, split_triangles
 
-# Names of parts that can be names of files, on any system.
+# Part names that are valid file names on any system.
 _NAME_OF_FILE = re.compile(r"\w[\w .+-]*")
 
 
 @dataclass
 class Source:
-    """A file and the parts in it: name -> indices (k,) of their vertices in the file.
+    """A file with its parts: name to vertex indices (k,) in the file.
 
-    writing: how its shapes are written besides its mesh, None if they are not; split: how the
-    file is split, "" if it is one part.
+    writing is the output of its CAD shapes, or None. split is the way the file is split, or "".
     """
 
     file: PartFile
@@ -43,9 +42,11 @@ class Source:
     split: str = ""
 
     def positions(self, of_parts: dict[str, Floats]) -> Floats:
-        """Positions (n, 3) of the whole file as it stands there; vertices of no part, and those
-        that did not move, stay as they are. A vertex of several parts is in the middle of where
-        they have it."""
+        """Return the positions (n, 3) of all vertices in file coordinates.
+
+        Vertices without a part, and vertices that did not move, keep their positions. A vertex of
+        several parts gets the mean of their positions.
+        """
         own = self.file.mesh.points
         rest = self.placement.placed(own)
         whole = rest.copy()
@@ -62,9 +63,9 @@ class Source:
 
 @dataclass
 class Parts:
-    """Everything the entries of `parts` stand for; split files are several entries here.
+    """All parts of a recipe; a split file has several entries here.
 
-    joint_files: what stands for files of welds and bolts that go with them.
+    joint_files has the entries of files with welds and bolts.
     """
 
     entries: list[PartEntry] = field(default_factory=list)
@@ -77,7 +78,7 @@ class Parts:
     resolved: Resolved = field(default_factory=lambda: Resolved({}))
 
     def add(self, entry: PartEntry, file: PartFile) -> None:
-        """Put the part, or the parts, of a file in."""
+        """Add the part, or the parts, of a file."""
         source = Source(file, entry.placement, writing=entry.write, split=entry.split)
         whole = entry.placement.placed_mesh(file.mesh)
         if not entry.split:
@@ -97,42 +98,59 @@ class Parts:
 def read_parts(
     entries: list[PartEntry], base: str | Path, progress: Progress | None = None
 ) -> Parts:
-    """The parts of a recipe, paths relative to `base`; what fails is in `faults`.
+    """Read the parts of a recipe, with paths relative to `base`; failures are in `faults`.
 
     progress(fraction, task) may return False to cancel (RuntimeError).
     """
+    from .reading_ahead import ReadAhead  # it takes a while to load
+
     parts = Parts()
     stems = _stems(entries, Path(base))
-    for number, entry in enumerate(entries):
-        if progress is not None:
-            progress(number / len(entries), f"reading {entry.file}")
-        if not entry.file:
-            what = 'the key "file" is missing'
-            parts.faults.append(Fault(entry.where, what, "add the path of its mesh file"))
-            parts.entries.append(entry)
-            continue
-        if entry.meshing and not is_cad(entry.file):
-            what = "only CAD files are meshed"
-            parts.faults.append(Fault(f"{entry.where}.mesh", what, "leave it out"))
-        parts.faults += _write_faults(entry)
-        try:
-            meshing = entry.meshing if is_cad(entry.file) else None
-            file = read_part(Path(base) / entry.file, meshing)
-            parts.faults += _deck_settings(file, entry)
-            file = _prepared(file, entry, progress) if entry.wanted else file
-            file.stem = stems.get(entry.where, file.stem)
-            parts.add(entry, file)
-        except (FileError, SplitError) as error:
-            parts.faults.append(_fault(entry, error))
-            parts.entries += [] if entry.split else [entry]
-            parts.unread += [f"{entry.stem}/"] if entry.split else []
+    wanted = {
+        entry.where: (Path(base) / entry.file, entry.meshing if is_cad(entry.file) else None)
+        for entry in entries
+        if entry.file
+    }
+    with ReadAhead(wanted) as ahead:
+        for number, entry in enumerate(entries):
+            if progress is not None:
+                progress(number / len(entries), f"reading {entry.file}")
+            parts.faults += _faults_of(entry)
+            if not entry.file:
+                parts.entries.append(entry)
+                continue
+            try:
+                file = ahead.read(entry.where)
+                parts.faults += _deck_settings(file, entry)
+                file = _prepared(file, entry, progress) if entry.wanted else file
+                file.stem = stems.get(entry.where, file.stem)
+                parts.add(entry, file)
+            except (FileError, SplitError) as error:
+                parts.faults.append(_fault(entry, error))
+                parts.entries += [] if entry.split else [entry]
+                parts.unread += [f"{entry.stem}/"] if entry.split else []
     parts.faults += _clashes(entries, stems)
     return parts
 
 
+def _faults_of(entry: PartEntry) -> list[Fault]:
+    """What is wrong with an entry before its file is read."""
+    if not entry.file:
+        what = 'the key "file" is missing'
+        return [Fault(entry.where, what, "add the path of its mesh file")]
+    faults = _write_faults(entry)
+    if entry.meshing and not is_cad(entry.file):
+        what = "only CAD files are meshed"
+        faults.insert(0, Fault(f"{entry.where}.mesh", what, "leave it out"))
+    return faults
+
+
 def _stems(entries: list[PartEntry], base: Path) -> dict[str, str]:
-    """By place of its entry the name of a part whose file stands in the assembly several times:
-    each is written under its own. Decks stay as they are, they may be several files."""
+    """Return output stems for parts that use the same file, by the place of their entries.
+
+    Each is written under its own name. Decks are left out, because they can consist of several
+    files.
+    """
     placed: dict[Path, list[PartEntry]] = {}
     for entry in entries:
         if entry.file and not entry.split and not is_deck(unpacked_name(entry.file)):
@@ -146,7 +164,7 @@ def _stems(entries: list[PartEntry], base: Path) -> dict[str, str]:
 
 
 def _write_faults(entry: PartEntry) -> list[Fault]:
-    """Shapes are carried by the mesh that was made of them, and only by that."""
+    """Return faults of the key `write`: CAD shapes need a CAD file and its own mesh."""
     if entry.write is None:
         return []
     where = f"{entry.where}.write"
@@ -160,7 +178,7 @@ def _write_faults(entry: PartEntry) -> list[Fault]:
 
 
 def _deck_settings(file: PartFile, entry: PartEntry) -> list[Fault]:
-    """Give a deck what its entry says about it; faults if it is none."""
+    """Pass the deck keys of the entry to the deck; return a fault for any other file."""
     if entry.deck and (not isinstance(file, DeckFile) or entry.wanted):
         key = next(iter(entry.deck))
         what = "only a deck that is not prepared has passengers and joints"
@@ -171,7 +189,7 @@ def _deck_settings(file: PartFile, entry: PartEntry) -> list[Fault]:
 
 
 def _prepared(file: PartFile, entry: PartEntry, progress: Progress | None) -> PartFile:
-    """The file after weld and remesh. Raises FileError."""
+    """Return the file after scaling, merging and remeshing. Raises FileError."""
     try:
         return PreparedFile(file, entry.wanted, progress)
     except ValueError as error:
@@ -181,7 +199,7 @@ def _prepared(file: PartFile, entry: PartEntry, progress: Progress | None) -> Pa
 
 
 def parts_of_meshes(entries: list[PartEntry], meshes: Mapping[str, PartMesh]) -> list[PartEntry]:
-    """The entries with those of split files replaced by the meshes given for them."""
+    """Replace the entries of split files by one entry for each of their meshes."""
     found = []
     for entry in entries:
         names = [name for name in meshes if name.startswith(f"{entry.stem}/")]
@@ -197,7 +215,7 @@ def _fault(entry: PartEntry, error: FileError | SplitError) -> Fault:
 
 
 def _clashes(entries: list[PartEntry], stems: Mapping[str, str]) -> list[Fault]:
-    """Parts are written under their own file names into one folder: the names must differ."""
+    """Return faults for equal output names, because all parts are written into one folder."""
     faults = []
     seen: dict[str, str] = {}
     for entry in entries:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a part stands in the assembly: its file may have coordinates of its own."""
+"""Placement of a part in the assembly, for files with local coordinates."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ _IDENTITY = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 @dataclass(frozen=True)
 class Placement:
-    """x -> rotation x + translation, mm; rows of the rotation."""
+    """The mapping x -> rotation x + translation, mm; rotation has its rows."""
 
     rotation: tuple[tuple[float, ...], ...] = _IDENTITY
     translation: tuple[float, ...] = (0.0, 0.0, 0.0)
 
     @classmethod
     def of(cls, translation: Sequence[float], axis: Sequence[float], degrees: float) -> Placement:
-        """A turn about the origin of the file, then a shift; an axis without length turns nothing.
+        """Return a rotation about the file origin followed by a translation.
 
-        Quarter turns about an axis of the coordinates are exact.
+        An axis of zero length gives no rotation. Quarter turns about a coordinate axis are exact.
         """
         direction = np.asarray(axis, dtype=float)
         length = float(np.linalg.norm(direction))
@@ -45,7 +45,7 @@ class Placement:
 
     @classmethod
     def of_entry(cls, entry: dict[str, Any]) -> Placement:
-        """What a recipe says under `placement`."""
+        """Return the placement of the recipe key `placement`."""
         turn = entry.get("rotation")
         axis, degrees = ((0.0, 0.0, 1.0), 0.0) if turn is None else (turn["axis"], turn["degrees"])
         return cls.of(entry.get("translation", (0.0, 0.0, 0.0)), axis, degrees)
@@ -54,17 +54,17 @@ class Placement:
         return self != Placement()
 
     def placed(self, points: Floats) -> Floats:
-        """Points (n, 3) of the file in the assembly."""
+        """Map points (n, 3) from file to assembly coordinates."""
         found: Floats = points @ np.array(self.rotation).T + self.translation if self else points
         return found
 
     def taken_back(self, points: Floats) -> Floats:
-        """Points (n, 3) of the assembly in the file."""
+        """Map points (n, 3) from assembly to file coordinates."""
         found: Floats = (points - self.translation) @ np.array(self.rotation) if self else points
         return found
 
     def placed_mesh(self, mesh: PartMesh) -> PartMesh:
-        """A mesh of the file in the assembly, the one whose ids it understands too."""
+        """Map a mesh to assembly coordinates, with the source of a prepared mesh."""
         if not self:
             return mesh
         placed = replace(mesh, points=self.placed(mesh.points))
@@ -73,7 +73,7 @@ class Placement:
         return placed
 
     def placed_entry(self, entry: dict[str, Any]) -> dict[str, Any]:
-        """What is told of a feature of the file, told of the assembly."""
+        """Map the centre and axis of a found feature to assembly coordinates."""
         turn = np.array(self.rotation)
         found = dict(entry)
         if "center" in entry:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where in a recipe something stands, as a person would say it."""
+"""Places in a recipe as text for the user."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ _SECTIONS = {
     "coaxial": ("pair", "coaxial"),
     "distance": ("pair", "distance"),
 }
-"""By section: the kind of its entries, and what a name begins with where none is given."""
+"""Section to the kind of its entries and the prefix of their default names."""
 
 
 def place_of(recipe: Any, path: Sequence[str | int]) -> str:
-    """`handles[0] (tip).vertices[2]`: a path with the names of the entries it goes through."""
+    """Return a path as text with entry names: `handles[0] (tip).vertices[2]`."""
     text = ""
     node = recipe
     for step in path:
@@ -39,7 +39,7 @@ def place_of(recipe: Any, path: Sequence[str | int]) -> str:
 
 
 def subjects_at(recipe: Any, path: Sequence[str | int]) -> tuple[Subject, ...]:
-    """The entry of a recipe that a path leads into; none outside of the lists of entries."""
+    """Return the recipe entry that contains a path; an empty tuple outside the lists of entries."""
     section, number = (*path, "", "")[:2]
     if isinstance(number, int) and (found := _SECTIONS.get(str(section))):
         kind, begin = found
@@ -51,8 +51,10 @@ def subjects_at(recipe: Any, path: Sequence[str | int]) -> tuple[Subject, ...]:
 
 
 def driven_in(recipe: Mapping[str, Any]) -> Iterator[tuple[int, str, dict[str, Any]]]:
-    """What parts say is driven: the number and the name of the part ("" if it has none, as the
-    parts of a split file), the entry."""
+    """Yield the key `driven` of all parts: number, name and entry.
+
+    The name is "" for a split file, whose parts have no name of their own here.
+    """
     parts = recipe.get("parts")
     for k, part in enumerate(parts if isinstance(parts, list) else []):
         if isinstance(part, dict) and isinstance(part.get("driven"), dict):
@@ -69,7 +71,7 @@ def _child(node: Any, step: str | int) -> Any:
 
 
 def names_in(recipe: Any, section: str) -> set[str]:
-    """The names given in a list of the recipe, also in entries that are faulty otherwise."""
+    """Return the names in a list of the recipe, including those of faulty entries."""
     entries = recipe.get(section) if isinstance(recipe, dict) else None
     if not isinstance(entries, list):
         return set()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A pose: what moves, by name, as a recipe has it or typed by who moves it."""
+"""A pose: motions by name, as recipe entries or as typed objects."""
 
 from __future__ import annotations
 
@@ -10,22 +10,24 @@ from typing import Any, Protocol, TypeGuard
 
 from .feature_entries import Vector, number_of, vector_of
 
-# Well within what the schema allows of lengths, mm, and angles, degrees.
+# Within the limits of the schema for lengths, mm, and angles, degrees.
 _FAR = 1e9
 _TURNS = 1e6
 
 
 @dataclass(frozen=True)
 class Rotation:
-    """A turn by `radians` about `axis` (any length but zero); whole turns are kept."""
+    """A rotation by `radians` about `axis`, of any non-zero length; whole turns count."""
 
     axis: Vector
     radians: float
 
 
 class Moved(Protocol):
-    """How one handle, form feature or point moves; None: as the recipe says. The workbench passes
-    its own motions down to the kernel as such."""
+    """The motion of a handle, form feature or point; None keeps the value of the recipe.
+
+    The workbench passes its own motions to the kernel in this form.
+    """
 
     translation: Vector | None
     rotation: Rotation | None
@@ -34,13 +36,13 @@ class Moved(Protocol):
     size: float | None
 
     def entry(self) -> dict[str, Any]:
-        """The same as a recipe has it."""
+        """Return the motion as a recipe entry."""
 
 
 _MEMBERS = ("translation", "rotation", "pivot", "target", "size", "entry")
 
 Pose = dict[str, Any]
-"""By name a Moved, or an entry of a recipe's pose."""
+"""Name to a Moved or to an entry of a recipe's pose."""
 
 
 @dataclass
@@ -55,32 +57,34 @@ class PoseEntry:
     told: dict[str, Any] = field(default_factory=dict)
 
     def entry(self) -> dict[str, Any]:
-        """The entry itself."""
+        """Return the original entry."""
         return self.told
 
 
 def pose_of(pose: Pose) -> dict[str, Moved]:
-    """A pose of sound form with all its entries typed."""
+    """Return a pose with typed entries, from a pose of checked form."""
     return {name: _moved(entry) for name, entry in pose.items()}
 
 
 def entries_of(pose: Any) -> Any:
-    """A pose as a recipe has it; what is none is left to the schema."""
+    """Return a pose as recipe entries; other values stay for the schema to reject."""
     if not isinstance(pose, dict):
         return pose
     return {k: one.entry() if _has_form(one) else one for k, one in pose.items()}
 
 
 def rotation_of(value: Any) -> Rotation | None:
-    """The turn that a recipe tells; None if it tells none in numbers."""
+    """Return the rotation of a recipe entry, or None if it has no numbers."""
     if not isinstance(value, dict):
         return None
     return Rotation(vector_of(value["axis"]), math.radians(value["degrees"]))
 
 
 def _has_form(entry: Any) -> TypeGuard[Moved]:
-    """Whether something is a Moved. `isinstance` of a protocol with data fails inside FreeCAD since
-    Python 3.13."""
+    """Return whether a value is a Moved.
+
+    `isinstance` with a data protocol fails inside FreeCAD since Python 3.13.
+    """
     return all(hasattr(entry, name) for name in _MEMBERS)
 
 
@@ -98,11 +102,11 @@ def _moved(entry: Any) -> Moved:
     )
 
 
-# -- the form that is beyond doubt, which every frame of a drag has: no need for the schema
+# -- a fast check for the usual form, because every frame of a drag checks its pose
 
 
 def is_plainly_sound(pose: Any) -> bool:
-    """Whether a pose has the form of the schema; False leaves the verdict, and words, to that."""
+    """Return whether a pose is valid; False means that the schema must decide."""
     return type(pose) is dict and all(map(_is_entry, pose.items()))
 
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Recipes and poses as people write them: JSON, JSON with comments, TOML; faults give line and
-column."""
+"""Recipes and poses from JSON, JSON with comments and TOML; faults have line and column."""
 
 from __future__ import annotations
 
@@ -22,10 +21,10 @@ _TOML_PLACE = re.compile(r" \((?:at line (\d+), column (\d+)|at end of document)
 
 
 def read_json(path: str | Path) -> Any:
-    """The content of a recipe or a pose. Raises RecipeError with one fault.
+    """Read the content of a recipe or a pose. Raises RecipeError with one fault.
 
-    A file called .toml is TOML 1.0; any other is JSON, with // and /* */ comments and commas
-    before a closing bracket if one likes.
+    A file with the suffix .toml is TOML 1.0. Any other file is JSON, which may have // and /* */
+    comments and trailing commas.
     """
     text = _text_of(path)
     if Path(path).suffix.lower() == ".toml":
@@ -45,7 +44,7 @@ def read_json(path: str | Path) -> Any:
 
 @contextmanager
 def named_in(path: Path) -> Iterator[None]:
-    """Faults inside say which recipe they are in, and where."""
+    """Add the path of the recipe, line and column to the faults raised inside."""
     try:
         yield
     except RecipeError as error:
@@ -55,15 +54,12 @@ def named_in(path: Path) -> Iterator[None]:
 
 
 def _with_lines(path: str | Path, faults: Sequence[Fault]) -> list[Fault]:
-    """The faults of a recipe that was read from a file, each with the line it is in.
-
-    Those whose place is not in the file stay as they are.
-    """
+    """Return the faults with the line of each entry; faults without one stay unchanged."""
     is_toml = Path(path).suffix.lower() == ".toml"
     try:
         text = _text_of(path)
         lines = Lines(text if is_toml else plain_json(text), read_json(path), is_toml)
-    except RecipeError:  # the file has changed since
+    except RecipeError:  # the file changed in the meantime
         return list(faults)
     return [lines.of(fault) for fault in faults]
 
@@ -96,7 +92,7 @@ def _read_toml(path: str | Path, text: str) -> Any:
 
 
 class _Repeated(ValueError):
-    """A key that stands twice in one object; JSON would keep the last one silently."""
+    """A duplicate key in one object, of which JSON would silently keep the last."""
 
 
 def _without_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What can be wrong with motions, sizes, groups and pairs of form features, and the symmetry."""
+"""Checks of feature motions, groups, pairs and the symmetry plane."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ _KEYS = {"plane": ("normal",), "line": ("direction",), "axis": ("point", "direct
 
 
 def relation_faults(model: Model, declared: Set[str]) -> list[Fault]:
-    """Faults of motions, groups, pairs and symmetry.
+    """Return the faults of motions, groups, pairs and symmetry.
 
-    declared: names that exist though their entries may be faulty.
+    declared has names that exist, even if their entries are faulty.
     """
     features = {region.name: region for region in model.of_kind("feature")}
     faults = [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Several parts in one file: by connected components, or by the property of a deck's elements."""
+"""Several parts in one file, split by connected components or by element properties."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _MOST = 500
 
 
 class SplitError(ValueError):
-    """A file that cannot be split as the recipe says; ``todo`` says what to do."""
+    """A file that cannot be split as the recipe requires; ``todo`` is the remedy."""
 
     def __init__(self, what: str, todo: str):
         super().__init__(what)
@@ -27,11 +27,11 @@ class SplitError(ValueError):
 
 
 def split_triangles(file: PartFile, way: str) -> dict[str, Ints]:
-    """Triangle indices by part name, without the file's stem.
+    """Return triangle indices by part name, without the stem of the file.
 
-    way: "components", counted from 1 in order of their first vertex, of a CAD file its solids and
-    free shells; or "property", the property ids of a deck, or its names of them where a file has
-    those. Parts by property may share nodes. Raises SplitError.
+    "components" are counted from 1 in the order of their first vertex; in a CAD file they are its
+    solids and free shells. "property" uses the property ids of a deck, or their names if the file
+    has them. Such parts can share nodes. Raises SplitError.
     """
     mesh = file.mesh
     if way == "components" and file.bodies is not None:
@@ -51,7 +51,7 @@ def split_triangles(file: PartFile, way: str) -> dict[str, Ints]:
 
 
 def _names_of(file: PartFile, labels: list[int]) -> dict[int, str]:
-    """The names of properties that are one each, their numbers otherwise."""
+    """Return the unique names of properties; a number replaces a missing or ambiguous name."""
     known = {label: file.property_names.get(label, "").replace("/", "_") for label in labels}
     counts = Counter(known.values())
     numbers = {str(label) for label in labels}
@@ -62,8 +62,10 @@ def _names_of(file: PartFile, labels: list[int]) -> dict[int, str]:
 
 
 def usual_split(file: PartFile) -> str:
-    """How a deck is best split: by properties if none shares a node with another, else by
-    components; "" if it is one part, or scattered into more than so many pieces."""
+    """Return the best way to split a deck, or "" if it is one part or has too many pieces.
+
+    "property" is best if no two properties share a node, otherwise "components".
+    """
     for way in ("property", "components"):
         try:
             parts = split_triangles(file, way)
@@ -78,7 +80,7 @@ def usual_split(file: PartFile) -> str:
 
 
 def pieces_of(mesh: PartMesh) -> dict[str, Ints]:
-    """Triangle indices of everything that hangs together, counted from "1" on."""
+    """Return the triangle indices of each connected component, named from "1"."""
     labels = _component_labels(len(mesh.points), mesh.triangles)[mesh.triangles[:, 0]]
     return {
         str(k + 1): np.flatnonzero(labels == label)
@@ -87,7 +89,7 @@ def pieces_of(mesh: PartMesh) -> dict[str, Ints]:
 
 
 def _component_labels(count: int, triangles: Ints) -> Ints:
-    """(n,) the smallest vertex index of each vertex's component."""
+    """Return for each vertex (n,) the smallest vertex index in its component."""
     labels = np.arange(count)
     while True:
         before = labels
@@ -112,7 +114,7 @@ def _check_apart(mesh: PartMesh, found: dict[str, Ints]) -> None:
 
 
 def part_of(mesh: PartMesh, rows: Ints, name: str) -> tuple[PartMesh, Ints]:
-    """The mesh of some triangles with the file's vertex ids, and its vertices' indices (k,)."""
+    """Return the mesh of some triangles with file ids, and the indices (k,) of its vertices."""
     vertices, corners = np.unique(mesh.triangles[rows], return_inverse=True)
     part = mesh.restricted(vertices, corners.reshape(-1, 3), name)
     labels = None if mesh.labels is None else mesh.labels.carried(rows)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rigid contacts that are proposed, against what is marked: what they join is one rigid body."""
+"""Proposed rigid contacts, checked against regions: each joins its parts to one rigid body."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Place = tuple[str, int]
 
 
 def regions_by_vertex(recipe: Mapping[str, Any]) -> dict[Place, set[str]]:
-    """By part and vertex: which fixed regions, handles and followers have it."""
+    """Return the fixed regions, handles and followers of each (part, vertex)."""
     found: dict[Place, set[str]] = defaultdict(set)
     for section in _REGIONS:
         entries = recipe.get(section, [])
@@ -33,9 +33,9 @@ def solvable(
     contacts: list[dict[str, Any]],
     told: list[str],
 ) -> list[dict[str, Any]]:
-    """The contacts, rigid ones tied where the body they join would be torn between regions.
+    """Return the contacts, with rigid ones changed to tied if different regions move their body.
 
-    All fixed regions are one; told: gets a sentence for each that is tied instead.
+    All fixed regions count as one. The list `told` receives a sentence for each change.
     """
     movers = _movers(recipe)
     bodies = _Bodies()
@@ -71,7 +71,7 @@ def _places(side: Mapping[str, Any]) -> list[Place]:
 
 
 class _Bodies:
-    """Union-find over vertices of parts."""
+    """Union-find over the vertices of all parts."""
 
     def __init__(self) -> None:
         self._parent: dict[Place, Place] = {}
@@ -84,7 +84,7 @@ class _Bodies:
         return place
 
     def join(self, sides: Iterable[Iterable[Place]]) -> None:
-        """Everything in all sides is one."""
+        """Join all vertices of the sides to one body."""
         first = None
         for side in sides:
             for place in side:
@@ -93,12 +93,12 @@ class _Bodies:
                 self._parent[root] = self.root(first)
 
     def add(self, sets: Iterable[tuple[str, Iterable[int]]]) -> None:
-        """Each set of vertices of a part is one body."""
+        """Make one body of each set of vertices."""
         for part, vertices in sets:
             self.join([[(part, vertex) for vertex in vertices]])
 
     def touched(self, movers: Mapping[Place, set[str]]) -> dict[Place, set[str]]:
-        """By body: what moves or holds one of its vertices."""
+        """Return the names of the regions that prescribe vertices of each body."""
         found: dict[Place, set[str]] = defaultdict(set)
         for place, names in movers.items():
             if place in self._parent:

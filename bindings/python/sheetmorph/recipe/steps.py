@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`run --step`: what a recipe would say if every part of a CAD file were written as STEP."""
+"""The option `run --step`, which writes every part of a CAD file also as STEP."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from ..files import is_cad
 
 
 def with_step(recipe: Any) -> Any:
-    """The recipe with `"write": "step"` in every entry of a CAD file that has none.
+    """Add `"write": "step"` to every entry of a CAD file without `write`.
 
-    Raises RecipeError if there is no such entry.
+    Raises RecipeError if the recipe has no CAD file.
     """
     entries = recipe.get("parts") if isinstance(recipe, dict) else None
     if not isinstance(entries, list):

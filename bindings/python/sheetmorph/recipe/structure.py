@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The recipe against its JSON Schema, with messages for people."""
+"""Validation against the JSON Schema of the recipe, with messages for users."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .values import are_ids, bad_values, copied, depth_faults
 
 
 def schema() -> dict[str, Any]:
-    """The published JSON Schema of the recipe."""
+    """Return the published JSON Schema of the recipe."""
     text = resources.files("sheetmorph").joinpath("recipe.schema.json").read_text("utf-8")
     found: dict[str, Any] = json.loads(text)
     return found
@@ -30,7 +30,7 @@ _IDS = {"$ref": "#/$defs/id"}
 
 
 def _items(validator: Any, items: Any, instance: Any, parent: Any) -> Iterator[Any]:
-    # Vertex ids are by far the most of a recipe, and nearly always sound: all at once.
+    # A recipe can have millions of vertex ids, so they are checked together and not one by one.
     if items != _IDS or not are_ids(instance):
         yield from jsonschema.Draft202012Validator.VALIDATORS["items"](
             validator, items, instance, parent
@@ -49,7 +49,7 @@ def _pose_validator() -> Any:
 
 
 def structural_faults(recipe: Any) -> tuple[list[Fault], Any]:
-    """Faults of form, and a copy of the recipe without the entries that have one."""
+    """Return the schema faults, and a copy of the recipe without the faulty entries."""
     bad = list(bad_values(recipe, recipe, []))
     errors = _errors(_validator(), recipe, [path for path, _ in bad])
     places = [(list(error.absolute_path), _fault(recipe, error)) for error in errors] + bad
@@ -66,7 +66,7 @@ def _where_validator() -> Any:
 
 
 def where_faults(where: Any) -> list[Fault]:
-    """Faults of form of a selector, or a list of them, that stands alone."""
+    """Return the schema faults of a selector, or of a list of selectors."""
     bad = list(bad_values({"where": where}, where, ["where"]))
     errors = _errors(_where_validator(), where, [path[1:] for path, _ in bad])
     faults = [_fault({"where": where}, error, ["where"]) for error in errors]
@@ -74,7 +74,7 @@ def where_faults(where: Any) -> list[Fault]:
 
 
 def pose_faults(pose: Any) -> list[Fault]:
-    """Faults of form of a pose that stands alone; one without any is recognised at once."""
+    """Return the schema faults of a pose; the usual valid form is recognised quickly."""
     if is_plainly_sound(pose):
         return []
     pose = entries_of(pose)
@@ -90,19 +90,19 @@ def pose_faults(pose: Any) -> list[Fault]:
 
 
 def faults_against(other: dict[str, Any], data: Any) -> list[Fault]:
-    """Faults of form of data that is no recipe, against its own JSON Schema."""
+    """Return the faults of other data against their own JSON Schema."""
     bad = list(bad_values(data, data, []))
     errors = _errors(jsonschema.Draft202012Validator(other), data, [path for path, _ in bad])
     return [_fault(data, error) for error in errors] + [fault for _, fault in bad]
 
 
 def _errors(validator: Any, instance: Any, told: list[list[str | int]]) -> list[Any]:
-    """What the schema says, in order of places, but for the places that are told already."""
+    """Return the schema errors in order of their paths, except at paths that have a fault."""
     errors = sorted(validator.iter_errors(instance), key=lambda error: list(map(str, error.path)))
     return [error for error in errors if list(_innermost(error).absolute_path) not in told]
 
 
-# What the schema says about a whole recipe does not concern a pose.
+# Rules of the schema for a whole recipe, disabled for a pose.
 _ONLY_REF: dict[str, Any] = {
     "properties": {},
     "required": [],
@@ -122,8 +122,8 @@ def _fault(recipe: Any, error: jsonschema.ValidationError, root: list[str] | Non
 
 
 def _innermost(error: jsonschema.ValidationError) -> jsonschema.ValidationError:
-    """Of an anyOf, the mistake inside the alternative whose type the user chose."""
-    kind: object = error.validator  # jsonschema says that it is a class
+    """Return the error inside the anyOf alternative whose type the user chose."""
+    kind: object = error.validator  # the stubs of jsonschema declare a class here
     if kind == "anyOf" and isinstance(error.instance, dict):
         inner = [e for e in error.context or () if str(e.validator) not in ("const", "type")]
         return inner[0] if inner else error
@@ -150,8 +150,11 @@ def _explain(error: jsonschema.ValidationError) -> tuple[str, str]:
 
 
 def _missing(error: jsonschema.ValidationError) -> str:
-    """Return the missing key of an error. jsonschema raises one error for each, and names the key
-    in its message alone: "'key' is a required property"."""
+    """Return the missing key of an error.
+
+    jsonschema raises one error for each key and names it only in its message: "'key' is a required
+    property".
+    """
     keys: list[str] = error.validator_value
     return next(k for k in keys if error.message == f"{k!r} is a required property")
 
@@ -170,7 +173,7 @@ def _show(value: Any) -> str:
 
 
 def _mark_unsound(sound: Any, path: list[str | int]) -> None:
-    """Put None in place of the list entry, or the top level key, that the path goes into."""
+    """Replace the list entry or top-level key at a path by None."""
     if not path or not isinstance(sound, dict) or path[0] not in sound:
         return
     section: Any = sound[path[0]]
@@ -181,7 +184,7 @@ def _mark_unsound(sound: Any, path: list[str | int]) -> None:
 
 
 def _without_marked(sound: Any) -> Any:
-    """The marked entries gone; list entries stay as None, so that the others keep their place."""
+    """Remove the marked entries; list entries stay None, so that the others keep their index."""
     if not isinstance(sound, dict):
         return {}
     rest = {key: value for key, value in sound.items() if value is not None}

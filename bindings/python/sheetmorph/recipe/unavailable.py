@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The one table of recipe keys and values that are reserved but not available in this version."""
+"""Recipe keys and values that are reserved but not available in this version."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _ANY = object()
 
 @dataclass(frozen=True)
 class _Reserved:
-    """A place ("*": every entry of a list or an object), a value (any if left out), what to do."""
+    """A path, in which "*" stands for every entry, a value or any, and the remedy."""
 
     path: tuple[str, ...]
     value: Any = _ANY
@@ -35,7 +35,7 @@ _RESERVED = (
 
 
 def take_out(recipe: dict[str, Any]) -> tuple[dict[str, Any], list[Fault]]:
-    """A copy of a recipe without what is not available, and one fault for each of them."""
+    """Return a copy of the recipe without unavailable entries, and a fault for each of them."""
     rest = copied(recipe)
     faults = []
     for reserved in _RESERVED:
@@ -52,7 +52,7 @@ def take_out(recipe: dict[str, Any]) -> tuple[dict[str, Any], list[Fault]]:
 def _matches(
     node: Any, path: tuple[str, ...], place: tuple[str | int, ...] = ()
 ) -> list[tuple[dict[str, Any], str, tuple[str | int, ...]]]:
-    """(holder, key, place) of every value at `path` below `node`."""
+    """Return (holder, key, place) of every value at `path` below `node`."""
     head, rest = path[0], path[1:]
     if head == "*":
         if isinstance(node, dict):

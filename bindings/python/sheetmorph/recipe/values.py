@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""JSON data as such: copies, and values that JSON can hold but no recipe can use."""
+"""Operations on JSON data: copies, and values that no recipe can use."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ from typing import Any
 from ..errors import Fault
 from .places import place_of
 
-# Beyond it, squares of coordinates overflow.
+# The squares of larger coordinates can overflow.
 _LARGEST = 1e100
 # A recipe has 6 levels.
 _DEEPEST = 32
 
 
 def are_ids(node: Any) -> bool:
-    """Whether a node is a list of whole numbers, 0 or more; there may be millions of them."""
+    """Return whether a node is a list of non-negative integers; the test is fast for long lists."""
     if not isinstance(node, list) or not set(map(type, node)) <= {int}:
         return False
     return not node or (min(node) >= 0 and max(node) < _LARGEST)
 
 
 def copied(node: Any) -> Any:
-    """A copy of JSON data."""
+    """Return a copy of JSON data."""
     if isinstance(node, dict):
         return {key: copied(child) for key, child in node.items()}
     if isinstance(node, list):
@@ -32,7 +32,7 @@ def copied(node: Any) -> Any:
 
 
 def depth_faults(node: Any) -> list[Fault]:
-    """A fault if the data is nested so deeply that walking through it would fail."""
+    """Return a fault if the data is nested too deeply for recursive functions."""
     level = [node]
     for _ in range(_DEEPEST):
         inner = [child for parent in level for child in _children(parent)]
@@ -49,7 +49,7 @@ def _children(node: Any) -> list[Any]:
 def bad_values(
     recipe: Any, node: Any, path: list[str | int]
 ) -> Iterator[tuple[list[str | int], Fault]]:
-    """Numbers that are not finite and texts that cannot be stored, below a node at `path`."""
+    """Yield path and fault of non-finite numbers and unstorable texts below a node at `path`."""
     if isinstance(node, dict):
         for key, child in node.items():
             if _is_bad_text(key):

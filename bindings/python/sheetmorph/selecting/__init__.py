@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Regions that say what they are: selectors, and the one place that turns them into vertices."""
+"""Selectors: regions described by their shape or name, and their conversion to vertices."""
 
 from .following import Following
 from .part_shape import PartShape

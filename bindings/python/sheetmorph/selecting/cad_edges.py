@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The edges of a CAD file on its mesh: where triangles of two of its faces meet."""
+"""Edges of a CAD file on its mesh: where triangles of two faces meet."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from ..arrays import Ints
 
 @dataclass(frozen=True, eq=False)
 class CadEdge:
-    """faces: rows of Labels.faces, one where the sheet ends; segments: (k, 2) vertices."""
+    """A CAD edge: rows of its faces in Labels.faces, one at a border; vertex pairs (k, 2)."""
 
     faces: tuple[int, ...]
     segments: Ints
 
 
 def cad_edges(triangles: Ints, face: Ints) -> list[CadEdge]:
-    """The edges between faces; triangles (m, 3), face: of each (m,)."""
+    """Return the edges between faces of triangles (m, 3); face (m,) is the face of each."""
     sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
     owners = np.repeat(face, 3)
     ends, number = np.unique(sides, axis=0, return_inverse=True)
@@ -36,7 +36,7 @@ def cad_edges(triangles: Ints, face: Ints) -> list[CadEdge]:
 
 
 def _connected(segments: Ints) -> list[Ints]:
-    """The segments (k, 2) in pieces that hang together."""
+    """Return the segments (k, 2) as connected pieces."""
     piece = {int(v): int(v) for v in np.unique(segments)}
 
     def root(vertex: int) -> int:

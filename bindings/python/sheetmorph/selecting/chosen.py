@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a selector stands for on a mesh, and what is to be told about it."""
+"""The region that a selector stands for on a mesh, with remarks for the user."""
 
 from __future__ import annotations
 
@@ -13,7 +13,10 @@ from ..arrays import Bools, Floats, Ints
 
 
 class SelectorError(ValueError):
-    """A selector that cannot be resolved; ``what`` is wrong, ``todo``, at ``path`` in it."""
+    """A selector that cannot be resolved.
+
+    The fault ``what`` is at ``path`` in the selector; ``todo`` is the remedy.
+    """
 
     def __init__(self, what: str, todo: str, path: tuple[str | int, ...] = ()):
         super().__init__(f"{what}; {todo}")
@@ -24,8 +27,8 @@ class SelectorError(ValueError):
 class Chosen:
     """A region of a mesh.
 
-    inside: (n,) bool of the vertices; share: (m,) how much of every triangle is meant, 0 to 1;
-    matches: one entry a selector that looks for something; remarks: sentences for the user.
+    inside (n,) marks the vertices. share (m,) is the selected share of every triangle, 0 to 1.
+    matches has one entry for each selector that searches. remarks are sentences for the user.
     """
 
     inside: Bools
@@ -35,7 +38,7 @@ class Chosen:
 
     @property
     def vertices(self) -> Ints:
-        """Their indices (k,), ascending."""
+        """Vertex indices (k,), ascending."""
         return np.flatnonzero(self.inside)
 
     def __or__(self, other: Chosen) -> Chosen:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which hole of a changed part is which hole of the part before: a match, or a question.
+"""Correspondence between the holes of a part before and after a change.
 
 The match explains the change with the fewest edits: holes that stay, groups of holes that moved as
-one rigid body, single holes that moved, were resized, were removed or were added. Where another
-explanation is nearly as short and the hole did not clearly move less in the first one, the hole
-stays unmatched and both candidates are its rivals.
+one rigid body, and single holes that moved or were resized, removed or added. A hole stays
+unmatched if another explanation is nearly as short and does not move the hole clearly farther. Both
+candidates are then its rivals.
 """
 
 from __future__ import annotations
@@ -17,20 +17,21 @@ import numpy as np
 from ..arrays import Bools, Floats, Ints
 from .rigid_motions import Motion, proposed_motions
 
-# A hole may have moved by this share of the way to the next candidate.
+# A hole may move by this share of the distance to the next candidate.
 HALF = 0.5
-# Sizes that differ by less are equal; axes with a smaller cosine belong to different walls.
+# Sizes with a smaller relative difference are equal. Axes with a smaller cosine belong to different
+# walls.
 _SAME_SIZE, _SAME_AXIS = 0.02, 0.9
-# Of a hole's size, and of the way to its next neighbour: how well a rigid motion has to place it.
+# Tolerances for a rigid motion, as shares of the hole size and of the distance to the next hole.
 _OF_SIZE, _OF_PITCH = 0.02, 0.1
-# Explanations with so many edits more than the shortest one count as possible too.
+# Explanations with this number of edits beyond the shortest one are also possible.
 _MARGIN = 1
 _GROUPS, _STARTS = 4, 12
 
 
 @dataclass(frozen=True, eq=False)
 class Holes:
-    """Holes of a part: kinds; places (n, 3), axes (n, 3), sizes (n, 2), the larger first, mm."""
+    """Holes of a part: kinds, centres (n, 3), axes (n, 3), sizes (n, 2), larger first, mm."""
 
     kinds: list[str]
     places: Floats
@@ -43,9 +44,9 @@ class Holes:
 
 @dataclass(frozen=True)
 class Match:
-    """new: the same hole on the changed part, None if that is a question; rivals: the candidates.
+    """The match of a hole: its row on the changed part, or None and the rivals if it is uncertain.
 
-    moved: mm, 0 for an unmatched hole.
+    moved is in mm, 0 for an unmatched hole.
     """
 
     new: int | None
@@ -55,8 +56,11 @@ class Match:
 
 @dataclass(frozen=True)
 class _Explanation:
-    """pairs: (n,) the new hole of every old one, -1 for none; groups: (n,) equal for holes that
-    move as one, 0 for those at rest; edits: how many changes it needs; moved: mm, of all holes."""
+    """A possible explanation of the change.
+
+    pairs (n,) has the new hole of every old one, -1 for none. groups (n,) is equal for holes that
+    move together, 0 for those at rest. edits counts the changes. moved is the total distance, mm.
+    """
 
     pairs: Ints
     groups: Ints
@@ -93,10 +97,11 @@ def _decided(pair: _Pair, k: int, best: _Explanation, others: Sequence[_Explanat
 
 
 class _Pair:
-    """Two states of the holes of a part.
+    """The holes of a part in two states.
 
-    gaps: (n, m) mm between old and new places; may: (n, m) whether one may have become the other;
-    same: (n, m) whether kind and size agree too; slack: (n,) mm, what counts as no motion.
+    gaps (n, m) are distances between old and new centres, mm. may (n, m) states whether a hole can
+    correspond to another, and same (n, m) whether kind and size agree too. slack (n,) is the
+    distance that counts as rest, mm.
     """
 
     def __init__(self, old: Holes, new: Holes):
@@ -119,18 +124,18 @@ class _Pair:
         return found
 
     def nearest(self, k: int) -> list[int]:
-        """The new holes that a person may mean by an old one: the two nearest ones."""
+        """Return the two nearest new holes, which the user can mean by an old one."""
         rows = np.flatnonzero(self.may[k])
         found: list[int] = rows[np.argsort(self.gaps[k, rows], kind="stable")][:2].tolist()
         return found
 
     def moved(self, explanation: _Explanation, rows: Ints) -> float:
-        """How far an explanation moves some old holes in the mean, mm."""
+        """Return the mean distance by which an explanation moves some old holes, mm."""
         rows = rows[explanation.pairs[rows] >= 0]
         return float(self.gaps[rows, explanation.pairs[rows]].mean())
 
     def explanations(self) -> Iterator[_Explanation]:
-        """Every start: that nothing moved, or that the largest group moved in one way."""
+        """Yield an explanation for every start: rest, or a motion of the largest group."""
         at_rest = self._explained([])
         yield at_rest
         if not at_rest.edits:
@@ -140,7 +145,7 @@ class _Pair:
             yield self._explained([motion])
 
     def _motions(self, old: Bools, new: Bools) -> list[Motion]:
-        """The motions that place two free old holes or more on free new ones, best first."""
+        """Return the motions that map at least two free old holes to free new ones, best first."""
         rows, columns = np.flatnonzero(old), np.flatnonzero(new)
         if min(len(rows), len(columns)) < 2:
             return []
@@ -154,7 +159,7 @@ class _Pair:
         return [motion for _, motion in kept]
 
     def _placed(self, motion: Motion | None, old: Bools, new: Bools) -> tuple[Ints, Ints]:
-        """The free old holes that a motion, None for rest, puts on free new ones, and those."""
+        """Return the free old holes that a motion, None for rest, maps to new ones, and these."""
         rows, columns = np.flatnonzero(old), np.flatnonzero(new)
         if not len(rows) or not len(columns):
             return rows[:0], columns[:0]
@@ -169,7 +174,7 @@ class _Pair:
         return rows[is_placed], columns[nearest[is_placed]]
 
     def _explained(self, first: list[Motion]) -> _Explanation:
-        """Take holes at rest first unless a motion is given, then groups, then single ones."""
+        """Match holes at rest, or after a given motion, then groups, then single holes."""
         pairs, groups = np.full(len(self.old), -1), np.zeros(len(self.old), dtype=int)
 
         def take(motion: Motion | None) -> None:
@@ -197,7 +202,7 @@ class _Pair:
         return pairs < 0, new
 
     def _singles(self, pairs: Ints) -> Iterator[tuple[int, int]]:
-        """The holes that moved alone, each by less than half the way to any other, and where."""
+        """Yield single holes that moved less than half the distance to others, and their match."""
         old, new = self._free(pairs)
         for k in np.flatnonzero(old).tolist():
             free = np.flatnonzero(new & self.may[k])
@@ -206,9 +211,9 @@ class _Pair:
                 yield k, j
 
     def _is_clear(self, k: int, j: int) -> bool:
-        """Whether a hole moved by less than half the way to any other one of both states.
+        """Return whether a hole moved less than half the distance to any other one of both states.
 
-        A hole that changed its kind or size as well may have moved by half its size.
+        A hole that also changed its kind or size may move by half its size.
         """
         gap = self.gaps[k, j]
         others = np.delete(self.gaps[k], j)[np.delete(self.may[k], j)]
@@ -219,7 +224,7 @@ class _Pair:
         return bool(gap <= limit)
 
     def _resized(self, pairs: Ints) -> int:
-        """How many kinds of change there are among holes that are of another kind or size now."""
+        """Count the different changes of kind or size among the matched holes."""
         rows = [k for k in np.flatnonzero(pairs >= 0) if not self.same[k, pairs[k]]]
         return len(
             {

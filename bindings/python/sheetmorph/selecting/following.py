@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A selector on a changed part: it takes the same hole or face as before, or asks which one.
+"""A selector on a changed part: it selects the same hole or face as before, or raises a question.
 
-A selector that looks for the nearest thing may find a neighbour after a change. Here the thing it
-took before is matched with the things of the changed part first, and its point moves along. What
-cannot be matched is a question that names the candidates.
+A selector for the nearest item could find a neighbour after a change. Therefore the item that it
+selected before is matched with the items of the changed part, and its point moves along. A question
+lists the candidates if there is no certain match.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ from .resolving import selected
 from .things import Thing, text_of, things_of
 from .volumes import VOLUMES
 
-# Selectors that are a piece of space or a list: they cannot move along with what they took.
+# Selectors for a volume or a list; they do not move with the items that they selected.
 _STILL = (*VOLUMES, "vertices", "drawn")
 
 
 @dataclass(frozen=True, eq=False)
 class Followed:
-    """where: the selector on the changed part; chosen: what it takes; told: sentences."""
+    """The selector on the changed part, the region that it selects, and sentences for the user."""
 
     where: Any
     chosen: Chosen
@@ -41,14 +41,14 @@ class Followed:
 
 
 class Following:
-    """Two states of a part, and how many times as large the new one is."""
+    """Two states of a part, and the scale of the new one relative to the old one."""
 
     def __init__(self, old: PartShape, new: PartShape, scale: float = 1.0):
         self.old, self.new, self.scale = old, new, scale
 
     @cached_property
     def holes(self) -> tuple[list[int], list[int]]:
-        """The rows of the rims among the features of both states."""
+        """Rows of the rims among the features of both states."""
         first, second = (
             [k for k, entry in enumerate(shape.features) if entry["kind"] in RIMMED]
             for shape in (self.old, self.new)
@@ -57,11 +57,11 @@ class Following:
 
     @cached_property
     def matches(self) -> dict[int, Match]:
-        """By row of an old feature that is a rim: the row of the new one."""
+        """The matches of all rims, by row of the old feature."""
         first, second = self.holes
         found = matched(
             _holes(self.old, first, self.scale), _holes(self.new, second, 1.0)
-        )  # rows of both lists
+        )  # rows in first and second
         return {
             first[k]: Match(
                 None if match.new is None else second[match.new],
@@ -72,21 +72,26 @@ class Following:
         }
 
     def followed(self, before: Any, where: Any, answer: Floats | None = None) -> Followed:
-        """Return a selector on the changed part that takes what it took before.
+        """Return a selector on the changed part for the items that it selected before.
 
         Parameters
         ----------
-        before, where
-            The selector with the ids and lengths of the old state, and with those of the new one.
-        answer
-            (3,) the place of the thing that is meant where a match is not certain, mm.
+        before, where : selector
+            The selector with ids and lengths of the old state, and of the new one.
+        answer : array (3,), optional
+            Position of the intended item if a match is uncertain, mm.
+
+        Returns
+        -------
+        Followed
+            The selector, its region and remarks.
 
         Raises
         ------
         Question
-            What it took before has no certain match.
+            If an item has no certain match.
         SelectorError
-            It takes nothing on one of the states.
+            If it selects nothing in one of the states.
         """
         work = Work(answer)
         moved = self._moved(before, where, work)
@@ -99,7 +104,7 @@ class Following:
         return Followed(moved, selected(self.new, moved), list(dict.fromkeys(work.told)))
 
     def hole_at(self, place: Floats) -> dict[str, Any]:
-        """Return the selector of the hole of the changed part that is nearest to a place."""
+        """Return the selector for the hole of the changed part nearest to a point."""
         entries = [self.new.features[row] for row in self.holes[1]]
         gaps = [float(np.linalg.norm(np.array(one["center"]) - place)) for one in entries]
         if not gaps:
@@ -123,7 +128,7 @@ class Following:
             return {**where, _point_key(where): plain(work.answered(question))}
 
     def _leaf(self, things: Any, pair: tuple[Any, Any], work: Work) -> Any:
-        """A selector that looks for the nearest thing, its point moved to the match."""
+        """Return a nearest-item selector with its point moved to the matched item."""
         before, where = pair
         olds, news = things(self.old, before), things(self.new, where)
         old = _taken(self.old, olds, before)
@@ -144,7 +149,7 @@ class Following:
         raise Question(old.text, [Candidate(new.text, plain(new.place))])
 
     def _renamed(self, where: Mapping[str, Any], new: Thing) -> dict[str, Any]:
-        """The number or the kind of a thing, where a selector states it."""
+        """Return the new number or kind of an item if the selector gives one."""
         if "number" in where and new.number is not None:
             return {"number": new.number}
         if "found" in where and new.feature is not None:
@@ -152,7 +157,7 @@ class Following:
         return {}
 
     def _match(self, old: Thing, olds: list[Thing], news: list[Thing]) -> tuple[Thing, float]:
-        """The new thing that an old one is, and how far it moved, mm, 0 if it stayed."""
+        """Return the new item for an old one, and its displacement, mm, 0 if it stayed."""
         of_hole = self._hole_of(old)
         if of_hole is not None:
             row, match = of_hole, self.matches[of_hole]
@@ -168,7 +173,7 @@ class Following:
         return self._nearest(old, (self._outside(self.old, olds), self._outside(self.new, news)))
 
     def _hole_of(self, old: Thing) -> int | None:
-        """The hole that a thing is or belongs to with all its vertices."""
+        """Return the row of the hole that contains all vertices of an item, or None."""
         if old.feature is not None:
             return old.feature if old.feature in self.matches else None
         vertices = set(old.vertices.tolist())
@@ -178,7 +183,7 @@ class Following:
         return None
 
     def _outside(self, shape: PartShape, things: list[Thing]) -> list[Thing]:
-        """The things that belong to no hole of a state, such as facets of its wall."""
+        """Return the items that do not belong to a hole, such as the facets of its wall."""
         owner = np.full(len(shape.points), -1)
         for row in self.holes[0 if shape is self.old else 1]:
             owner[shape.features[row]["vertices"]] = row
@@ -190,7 +195,7 @@ class Following:
         things: tuple[list[Thing], list[Thing]],
         shift: Floats = np.zeros(3),
     ) -> tuple[Thing, float]:
-        """The thing of the same kind that lies clearly nearest to where an old one was."""
+        """Return the item of the same kind that is clearly nearest to the old position."""
         olds, news = things
         like = [thing for thing in news if old.may_be(thing, self.scale)]
         gaps = [thing.gap(self.scale * old.samples + shift) for thing in like]
@@ -210,22 +215,27 @@ class Following:
         return new, gap if gap > slack else 0.0
 
     def question(self, row: int) -> Question:
-        """What to ask about an old hole without a certain match."""
+        """Return the question about an old hole without a certain match."""
         rivals = [self.new.features[j] for j in self.matches[row].rivals]
         return Question(self._text(row), [candidate_of(entry) for entry in rivals])
 
     def check(self, before: Ints, after: Ints) -> list[str]:
-        """Return sentences on the holes that a region lost or won.
+        """Return sentences on the holes that a region lost or gained.
 
         Parameters
         ----------
-        before, after
-            Its vertices on the old state and on the new one.
+        before, after : array (k,), int
+            Vertices of the region in the old state, and in the new one.
+
+        Returns
+        -------
+        list of str
+            The sentences.
 
         Raises
         ------
         Question
-            It holds another hole in place of one that it held before, or an uncertain one.
+            If the region contains another hole in place of an old one, or if a match is uncertain.
         """
         olds = [row for row in _held(self.old, before) if row in self.matches]
         news = _held(self.new, after)
@@ -251,7 +261,7 @@ class Following:
 
 
 def _point_key(where: Mapping[str, Any]) -> str:
-    """The key of the point near which a selector looks."""
+    """Return the key of the point of a nearest-item selector."""
     return "near" if "near" in where else key_of(where)
 
 
@@ -273,14 +283,14 @@ def _sizes(entry: Mapping[str, Any]) -> tuple[float, float]:
 
 
 def _taken(shape: PartShape, things: list[Thing], where: Mapping[str, Any]) -> Thing | None:
-    """The thing that a selector takes on a part, without the rings around it."""
+    """Return the item that a selector selects on a part, without rings around it."""
     alone = {key: value for key, value in where.items() if key not in ("rings", "holes", "count")}
     vertices = selected(shape, alone).vertices
     return next((one for one in things if np.array_equal(one.vertices, vertices)), None)
 
 
 def _keys(where: Any) -> list[str]:
-    """The keys of a selector and of those in it."""
+    """Return the keys of a selector and of all selectors inside it."""
     if isinstance(where, list):
         return [key for one in where for key in _keys(one)]
     key = key_of(where)
@@ -289,7 +299,7 @@ def _keys(where: Any) -> list[str]:
 
 
 def _held(shape: PartShape, vertices: Ints) -> list[int]:
-    """The rows of the holes that lie in a region with all their rims."""
+    """Return the rows of the holes whose rims all lie in a region."""
     inside = np.zeros(len(shape.points), dtype=bool)
     inside[vertices] = True
     return [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What may stand in a selector: one key that says what it is, and what goes with that."""
+"""The grammar of selectors: one key gives the kind, others are options of it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..finding.options import HOLES
 from .chosen import SelectorError
 from .volumes import VOLUMES, unit
 
-# By the key that says what a selector is: the keys that may go with it.
+# The admissible options of each kind of selector.
 WITH: dict[str, tuple[str, ...]] = {
     "vertices": (),
     **dict.fromkeys(VOLUMES, ()),
@@ -32,7 +32,7 @@ WITH: dict[str, tuple[str, ...]] = {
     "shrink": ("of",),
 }
 JOINING = ("union", "intersection", "minus")
-# A count that is expected goes with everything.
+# Every selector may give an expected number.
 _ALWAYS = ("holes",)
 _DIRECTIONS = {"half_space": "normal", "slab": "normal", "cylinder": "direction"}
 
@@ -40,7 +40,10 @@ Path = tuple[str | int, ...]
 
 
 def key_of(selector: Mapping[str, Any]) -> str:
-    """The key that says what a selector is. Raises SelectorError if there is none, or two."""
+    """Return the key that gives the kind of a selector.
+
+    Raises SelectorError if there is not exactly one.
+    """
     keys = [key for key in selector if key in WITH]
     if not keys:
         raise SelectorError("it does not say what it selects", f"give one of {', '.join(WITH)}")
@@ -51,7 +54,7 @@ def key_of(selector: Mapping[str, Any]) -> str:
 
 
 def operands(selector: Any) -> list[tuple[Path, Any]]:
-    """The selectors inside a selector of sound form, with their places in it."""
+    """Return the selectors inside a selector, with their paths; its form is already checked."""
     if isinstance(selector, list):
         return [((k,), inner) for k, inner in enumerate(selector)]
     for key in JOINING:
@@ -61,7 +64,7 @@ def operands(selector: Any) -> list[tuple[Path, Any]]:
 
 
 def form_faults(selector: Any, path: Path = ()) -> Iterator[SelectorError]:
-    """What the schema cannot say of a selector, each with its place."""
+    """Yield faults of a selector that the schema cannot express, each with its path."""
     if isinstance(selector, dict):
         try:
             _check_keys(selector, key_of(selector))

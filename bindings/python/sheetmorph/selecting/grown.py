@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A region grown or shrunk, by rings of triangles or by a length along the sheet."""
+"""Regions grown or shrunk, by rings of triangles or by a length along the sheet."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .part_shape import PartShape
 
 
 def grown(shape: PartShape, inner: Chosen, amount: Any) -> Chosen:
-    """The region and what is around it: so many rings, or {"length": mm}."""
+    """Return a region with its surroundings: a number of rings, or {"length": mm}."""
     if isinstance(amount, dict):
         length = float(amount["length"])
         inside = _distances(shape, inner.inside, length) <= length + shape.slack
@@ -28,7 +28,7 @@ def grown(shape: PartShape, inner: Chosen, amount: Any) -> Chosen:
 
 
 def shrunk(shape: PartShape, inner: Chosen, amount: Any) -> Chosen:
-    """The region without what is near to its outside; where the sheet ends it stays."""
+    """Return a region without its outer zone; it does not shrink at borders of the sheet."""
     if isinstance(amount, dict):
         length = float(amount["length"])
         inside = inner.inside & (_distances(shape, _rim(shape, inner), length) >= length)
@@ -42,7 +42,7 @@ def shrunk(shape: PartShape, inner: Chosen, amount: Any) -> Chosen:
 
 
 def _rim(shape: PartShape, inner: Chosen) -> Bools:
-    """(n,) the vertices of a region beside its outside."""
+    """Return the vertices (n,) of a region that border on its outside."""
     is_mixed = inner.inside[shape.triangles].any(axis=1) & ~inner.inside[shape.triangles].all(
         axis=1
     )
@@ -52,9 +52,10 @@ def _rim(shape: PartShape, inner: Chosen) -> Bools:
 
 
 def _distances(shape: PartShape, start: Bools, length: float) -> Floats:
-    """(n,) how far the vertices are from some, on a way over the sheet; infinite beyond a length.
+    """Return distances (n,) of the vertices from a start region, infinite beyond a length.
 
-    Every vertex measures straight to the place of the start that its neighbour was reached from.
+    The search follows edges. Each vertex takes the straight distance to the start vertex of its
+    predecessor.
     """
     around = _neighbours(shape)
     limit = length + shape.slack
@@ -74,7 +75,7 @@ def _distances(shape: PartShape, start: Bools, length: float) -> Floats:
 
 
 def _neighbours(shape: PartShape) -> list[Ints]:
-    """Of every vertex those it shares an edge with."""
+    """Return for every vertex its neighbours along edges."""
     pairs = shape.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
     both = np.unique(np.concatenate([pairs, pairs[:, ::-1]]), axis=0)
     ends = np.searchsorted(both[:, 0], np.arange(len(shape.points) + 1))

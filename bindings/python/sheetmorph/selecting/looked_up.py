@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Selectors that look for what is nearest to a point: face, rim, border, piece, CAD face."""
+"""Selectors for the item nearest to a point: face, rim, border, piece, CAD face, CAD edge."""
 
 from __future__ import annotations
 
@@ -20,20 +20,20 @@ if TYPE_CHECKING:
     from .. import _core
 
 CREASE_ANGLE = 20.0
-# Of the size of the part: what is farther from its point is told.
+# Share of the part size; a match farther from its point gives a remark.
 FAR = 0.02
-# Barycentric coordinates below it count as zero: the place is on an edge or a corner.
+# Smaller barycentric coordinates count as zero: the point is on an edge or a corner.
 _ON_EDGE = 1e-9
-# A wall is narrower than the face on the other side of its rim by so much.
+# Largest area of a wall relative to the face on the other side of its rim.
 _WALL = 0.3
 RIMMED = (*HOLES, "round edge")
-"""The kinds of features that are rims."""
+"""The kinds of features with rims."""
 
 Told = Mapping[str, Any]
 
 
 def face_at(shape: PartShape, told: Told) -> Chosen:
-    """The face around the place nearest to a point, up to a crease angle."""
+    """Return the face nearest to a point, up to a crease angle."""
     angle = math.radians(told.get("crease_angle", CREASE_ANGLE))
     hit = _nearest(shape, told["face_at"])
     rows = _largest(shape, (shape.near.face(t, angle) for t in _touching(shape, hit)))
@@ -41,14 +41,14 @@ def face_at(shape: PartShape, told: Told) -> Chosen:
 
 
 def piece_at(shape: PartShape, told: Told) -> Chosen:
-    """The connected component nearest to a point."""
+    """Return the connected component nearest to a point."""
     hit = _nearest(shape, told["piece_at"])
     chosen = shape.of_triangles(np.asarray(shape.near.piece(hit.triangle)))
     return _matched(shape, chosen, "piece_at", hit.distance)
 
 
 def border_at(shape: PartShape, told: Told) -> Chosen:
-    """The border loop nearest to a point."""
+    """Return the border loop nearest to a point."""
     if not shape.border_loops:
         todo = "use rim_at or face_at, or check that it is an open sheet"
         raise SelectorError(f'"{shape.name}" is closed and has no border', todo, ("border_at",))
@@ -57,7 +57,7 @@ def border_at(shape: PartShape, told: Told) -> Chosen:
 
 
 def borders_longer(shape: PartShape, told: Told) -> Chosen:
-    """All border loops longer than a length."""
+    """Return all border loops longer than a length."""
     loops = [
         loop for loop in shape.border_loops if loop_length(shape, loop) > told["borders_longer"]
     ]
@@ -67,9 +67,9 @@ def borders_longer(shape: PartShape, told: Told) -> Chosen:
 
 
 def rim_at(shape: PartShape, told: Told) -> Chosen:
-    """The rim nearest to a point, both rims and the wall of a thin solid, with rings around it.
+    """Return the rim nearest to a point, with rings around it.
 
-    alone: its loop without walls and other rims.
+    In a thin solid it includes both rims and the wall. With the option alone it is only the loop.
     """
     loops, rows = rim_loops(shape, told)
     if not loops:
@@ -85,7 +85,7 @@ def rim_at(shape: PartShape, told: Told) -> Chosen:
 
 
 def cad_face_at(shape: PartShape, told: Told) -> Chosen:
-    """The face of the CAD file nearest to a point; kind, name and number narrow it down."""
+    """Return the CAD face nearest to a point; kind, name and number restrict the candidates."""
     face, faces = shape.labels.face, shape.labels.faces
     if face is None or not faces:
         what = f'the file of "{shape.name}" has no CAD faces'
@@ -101,7 +101,7 @@ def cad_face_at(shape: PartShape, told: Told) -> Chosen:
 
 
 def cad_edge_at(shape: PartShape, told: Told) -> Chosen:
-    """The edge of the CAD file nearest to a point: where two of its faces meet, or one ends."""
+    """Return the CAD edge nearest to a point: where two faces meet, or where one ends."""
     point = told["cad_edge_at"]
     if shape.labels.face is None or not shape.labels.faces:
         what = f'the file of "{shape.name}" has no CAD edges'
@@ -120,7 +120,7 @@ def cad_edge_at(shape: PartShape, told: Told) -> Chosen:
 
 
 def segments_distance(segments: Floats, place: Floats) -> float:
-    """From a place to the nearest of some segments (k, 2, 3), mm."""
+    """Return the distance from a point to the nearest of segments (k, 2, 3), mm."""
     start, along = segments[:, 0], segments[:, 1] - segments[:, 0]
     length = np.maximum((along**2).sum(axis=1), 1e-300)
     share = np.clip(((place - start) * along).sum(axis=1) / length, 0.0, 1.0)
@@ -146,7 +146,7 @@ def _nearest(shape: PartShape, point: Sequence[float]) -> _core.Hit:
 
 
 def _touching(shape: PartShape, hit: _core.Hit) -> list[int]:
-    """The triangles at the place of a hit: several on an edge or a corner."""
+    """Return the triangles at a hit: several on an edge or at a corner."""
     corners = shape.triangles[hit.triangle][np.asarray(hit.barycentric) > _ON_EDGE]
     if len(corners) == 3:
         return [hit.triangle]
@@ -158,7 +158,7 @@ def _touching(shape: PartShape, hit: _core.Hit) -> list[int]:
 
 
 def _largest(shape: PartShape, patches: Iterator[Ints]) -> Ints:
-    """The patch with the largest area: between two faces what is nearest is no question of ids."""
+    """Return the patch with the largest area, so that between two faces ids do not decide."""
     return max(
         map(np.asarray, patches), key=lambda rows: (float(shape.areas[rows].sum()), -int(rows[0]))
     )
@@ -167,9 +167,9 @@ def _largest(shape: PartShape, patches: Iterator[Ints]) -> Ints:
 def nearest_loop(
     shape: PartShape, loops: Sequence[Ints], point: Sequence[float], holes: int = 0
 ) -> tuple[Ints, float]:
-    """The loop nearest to a point, the shortest of several, and its distance, mm.
+    """Return the loop nearest to a point, the shortest of several, and its distance, mm.
 
-    holes: how many loops, the first ones, are as near as their centre is, if that is nearer.
+    For the first `holes` loops the distance to the centre counts if it is smaller.
     """
     place = np.array(point, dtype=float)
     gaps = [_line_distance(shape.points[loop], place) for loop in loops]
@@ -183,18 +183,18 @@ def nearest_loop(
 
 
 def loop_length(shape: PartShape, loop: Ints) -> float:
-    """The length of a closed loop, mm."""
+    """Return the length of a closed loop, mm."""
     points = shape.points[loop]
     return float(np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1).sum())
 
 
 def _line_distance(points: Floats, place: Floats) -> float:
-    """From a place to the closed line through points (k, 3)."""
+    """Return the distance from a point to the closed polyline through points (k, 3)."""
     return segments_distance(np.stack([points, np.roll(points, -1, axis=0)], axis=1), place)
 
 
 def rim_loops(shape: PartShape, told: Told) -> tuple[list[Ints], list[int]]:
-    """The loops that rim_at looks among; the first ones belong to these rows of the features."""
+    """Return the candidate loops of rim_at, and the feature rows of the first ones."""
     if told.get("alone"):
         return [*shape.border_loops, *shape.loops_at(told.get("crease_angle", CREASE))], []
     loops: list[Ints] = []
@@ -213,14 +213,14 @@ def rim_loops(shape: PartShape, told: Told) -> tuple[list[Ints], list[int]]:
 
 
 def rim_vertices(shape: PartShape, told: Told, loop: Ints, row: int | None) -> Ints:
-    """What rim_at takes with a loop, of a feature or not, before any ring."""
+    """Return the vertices that rim_at selects with a loop, before any ring."""
     if row is not None:
         return np.array(shape.features[row]["vertices"])
     return loop if told.get("alone") else _with_wall(shape, loop)
 
 
 def _with_wall(shape: PartShape, loop: Ints) -> Ints:
-    """A sharp rim with the wall it belongs to; one at a border alone."""
+    """Return a sharp rim with its wall; a rim at a border has none."""
     inside = np.zeros(len(shape.points), dtype=bool)
     inside[loop] = True
     beside = np.flatnonzero(inside[shape.triangles].sum(axis=1) == 2)
@@ -237,7 +237,7 @@ def _with_wall(shape: PartShape, loop: Ints) -> Ints:
 
 
 def _narrowed(shape: PartShape, told: Told, present: list[int]) -> tuple[list[int], list[str]]:
-    """The CAD faces that kind, name and number allow; a number that moved on is told."""
+    """Return the CAD faces that kind and name allow, and remarks."""
     faces = shape.labels.faces
     allowed, remarks = present, []
     if "kind" in told:
@@ -258,7 +258,7 @@ def _nearest_face(
     shape: PartShape, point: Sequence[float], allowed: list[int]
 ) -> tuple[int, float]:
     face = shape.labels.face
-    assert face is not None  # where there are CAD faces
+    assert face is not None  # the caller checked for CAD faces
     rows = np.flatnonzero(np.isin(face, allowed))
     place = np.array(point, dtype=float)
     hit = shape.core.PickingTree(shape.points, shape.triangles[rows]).nearest_point(place)
@@ -284,7 +284,7 @@ def _matched(shape: PartShape, chosen: Chosen, key: str, distance: float) -> Cho
 
 
 def far_remarks(shape: PartShape, key: str, distance: float) -> list[str]:
-    """A sentence if what was found is far from the point that was given."""
+    """Return a remark if the match is far from the given point."""
     if not distance > FAR * shape.size:
         return []
     return [f"{key}: the nearest match is {distance:.4g} mm from the point"]

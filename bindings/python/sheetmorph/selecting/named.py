@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Selectors that take what has a name or was found: groups of the file, features, vertex ids."""
+"""Selectors by name or kind: groups of the file, found features, vertex ids."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Told = Mapping[str, Any]
 
 
 def by_ids(shape: PartShape, told: Told) -> Chosen:
-    """Vertices by the ids of their file."""
+    """Return vertices by their file ids."""
     vertices, missing = shape.mesh.find(told["vertices"])
     if missing:
         what = f'vertices {list_ids(missing)} are not in part "{shape.name}"'
@@ -32,7 +32,7 @@ def by_ids(shape: PartShape, told: Told) -> Chosen:
 
 
 def by_figure(shape: PartShape, told: Told) -> Chosen:
-    """What lies in a figure that was drawn in a view."""
+    """Return the vertices inside a figure that the user drew in a view."""
     if shape.drawn is None:
         what = "what was drawn in a view is known in FreeCAD alone"
         raise SelectorError(what, "use vertex ids, or say what the region is", ("drawn",))
@@ -40,12 +40,12 @@ def by_figure(shape: PartShape, told: Told) -> Chosen:
 
 
 def by_group(shape: PartShape, told: Told) -> Chosen:
-    """What the file calls by a name."""
+    """Return the region with a name in the file."""
     wanted = str(told["group"])
     labels = shape.labels
     found = [name for name in labels.names if name == wanted]
     found = found or [name for name in labels.names if name.split(" ", 1)[-1] == wanted]
-    lower = wanted.lower()  # an input file does not tell capitals from small letters
+    lower = wanted.lower()  # names in input decks are not case-sensitive
     found = found or [n for n in labels.names if lower in (n.lower(), n.split(" ", 1)[-1].lower())]
     if not found:
         raise SelectorError(
@@ -71,7 +71,7 @@ def _names(names: Sequence[str], wanted: str) -> str:
 
 
 def by_kind(shape: PartShape, told: Told) -> Chosen:
-    """What `find` finds on the part: all of a kind, those of a diameter, the nearest to a point."""
+    """Return found features: all of a kind, those in a diameter range, or the nearest one."""
     kind = told["found"]
     if kind not in KINDS:
         near = difflib.get_close_matches(str(kind), KINDS, 1, 0.4)
@@ -126,7 +126,10 @@ def _nearest(
 
 
 def _distance(shape: PartShape, entry: dict[str, Any], place: Floats) -> float:
-    """From a point to a feature: to its vertices, or to its centre, whichever is nearer."""
+    """Return the distance from a point to the vertices or the centre of a feature.
+
+    The smaller one counts. Features without holes are measured to their triangles.
+    """
     to_centre = float(np.linalg.norm(np.array(entry["center"]) - place))
     chosen = shape.of_vertices(np.array(entry["vertices"]))
     rows = np.flatnonzero(chosen.share)
@@ -138,7 +141,7 @@ def _distance(shape: PartShape, entry: dict[str, Any], place: Floats) -> float:
 
 
 def holes_in(shape: PartShape, chosen: Chosen) -> int:
-    """How many holes lie in a region with all their rims."""
+    """Count the holes whose rims all lie in a region."""
     return sum(
         bool(chosen.inside[entry["vertices"]].all())
         for entry in shape.features

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One part as selectors see it: in the frame of its file, what is computed from it kept."""
+"""One part as selectors see it: in file coordinates, with cached geometry."""
 
 from __future__ import annotations
 
@@ -24,23 +24,24 @@ from .chosen import Chosen
 if TYPE_CHECKING:
     from .. import _core
 
-# Of its size: how far rounding may put a vertex beside the plane it lies on.
+# Share of the part size: admissible rounding error of a vertex on a plane.
 _ROUNDING = 1e-9
-# Bends by more are rims, degrees; the crease angle of FindOptions.
+# Sharper bends are rims, degrees; the default crease angle of FindOptions.
 CREASE = 35.0
 
 
 class PartShape:
-    """The prepared mesh of a part; mm in the frame of its file after `scale`.
+    """The prepared mesh of a part, mm in file coordinates after `scale`.
 
-    points (n, 3); triangles (m, 3); used: (n,) whether a triangle has the vertex.
+    points is (n, 3), triangles (m, 3), and used (n,) marks the vertices of triangles.
     """
 
     def __init__(self, mesh: PartMesh, placement: Placement = Placement(), name: str = ""):
         self.mesh = mesh
-        self.drawn: Callable[[Any], Ints] | None = None  # what a figure in a view takes
+        # returns the vertices inside a figure in a view
+        self.drawn: Callable[[Any], Ints] | None = None
         self.name = name or mesh.name
-        self._loops: dict[float, list[Ints]] = {}  # of the last angle
+        self._loops: dict[float, list[Ints]] = {}  # for the last angle
         self.points = np.ascontiguousarray(placement.taken_back(mesh.points))
         self.triangles = mesh.triangles
         self.used = np.zeros(len(self.points), dtype=bool)
@@ -48,68 +49,68 @@ class PartShape:
 
     @property
     def labels(self) -> Labels:
-        """What its file calls parts of it."""
+        """Names in the file for regions of the part."""
         return self.mesh.labels or Labels()
 
     @cached_property
     def core(self) -> ModuleType:
-        """The kernel."""
+        """The kernel module."""
         return load_kernel()
 
     @cached_property
     def kernel_mesh(self) -> _core.TriangleMesh:
-        """The kernel's TriangleMesh."""
+        """The part as a TriangleMesh of the kernel."""
         found: _core.TriangleMesh = self.core.TriangleMesh(self.points, self.triangles)
         return found
 
     @cached_property
     def near(self) -> _core.Neighbourhood:
-        """The kernel's Neighbourhood."""
+        """The Neighbourhood of the kernel."""
         found: _core.Neighbourhood = self.core.Neighbourhood(self.kernel_mesh)
         return found
 
     @cached_property
     def tree(self) -> _core.PickingTree:
-        """The kernel's PickingTree."""
+        """The PickingTree of the kernel."""
         found: _core.PickingTree = self.core.PickingTree(self.points, self.triangles)
         return found
 
     @cached_property
     def box(self) -> tuple[Floats, Floats]:
-        """The smallest and largest coordinates (3,) of its vertices."""
+        """Smallest and largest coordinates (3,) of the used vertices."""
         points = self.points[self.used] if self.used.any() else np.zeros((1, 3))
         return points.min(axis=0), points.max(axis=0)
 
     @cached_property
     def size(self) -> float:
-        """The diagonal of its box, mm."""
+        """Diagonal of the box, mm."""
         return float(np.linalg.norm(self.box[1] - self.box[0]))
 
     @cached_property
     def slack(self) -> float:
-        """How far beside a plane a vertex counts as on it, mm."""
+        """Distance from a plane within which a vertex lies on it, mm."""
         return _ROUNDING * (self.size + float(np.abs(self.box).max()))
 
     @cached_property
     def areas(self) -> Floats:
-        """(m,) mm^2."""
+        """Triangle areas (m,), mm^2."""
         a, b, c = (self.points[self.triangles[:, k]] for k in range(3))
         found: Floats = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
         return found
 
     @cached_property
     def border_loops(self) -> list[Ints]:
-        """The closed loops where the sheet ends, vertices in order."""
+        """Closed border loops of the sheet, as ordered vertices."""
         return [np.asarray(loop) for loop in self.core.boundary_loops(self.kernel_mesh)]
 
     @cached_property
     def cad_edges(self) -> list[CadEdge]:
-        """Where two faces of the CAD file meet, or one ends."""
+        """Edges where two faces of the CAD file meet, or one ends."""
         face = self.labels.face
         return [] if face is None else cad_edges(self.triangles, face)
 
     def loops_at(self, crease: float) -> list[Ints]:
-        """The closed loops where the sheet ends or bends by an angle, degrees, or more."""
+        """Return the closed loops of borders and of creases with at least this angle, degrees."""
         if crease not in self._loops:
             found = self.near.rims(math.radians(crease))
             self._loops = {crease: [np.asarray(loop) for loop in found]}
@@ -117,12 +118,12 @@ class PartShape:
 
     @cached_property
     def features(self) -> list[dict[str, Any]]:
-        """What is found on it, as `find` tells it; vertices are indices."""
+        """Found features as in the output of `find`; vertices are indices."""
         plain = PartMesh(self.points, self.triangles, name=self.name)
         return find([FindPart(self.name, plain)], with_contacts=False).features
 
     def of_triangles(self, rows: Ints) -> Chosen:
-        """Some triangles with their corners."""
+        """Return triangles with their corners as a region."""
         share = np.zeros(len(self.triangles))
         share[rows] = 1.0
         inside = np.zeros(len(self.points), dtype=bool)
@@ -130,16 +131,16 @@ class PartShape:
         return Chosen(inside, share)
 
     def of_vertices(self, vertices: Ints) -> Chosen:
-        """Some vertices with the triangles between them."""
+        """Return vertices with the triangles between them as a region."""
         inside = np.zeros(len(self.points), dtype=bool)
         inside[vertices] = True
         return Chosen(inside, inside[self.triangles].all(axis=1).astype(float))
 
     def area_of(self, chosen: Chosen) -> float:
-        """mm^2."""
+        """Return the area of a region, mm^2."""
         return float(chosen.share @ self.areas)
 
     def describe_box(self) -> str:
-        """Where the part lies, for messages."""
+        """Describe the box of the part for messages."""
         low, high = (f"[{', '.join(f'{x:.6g}' for x in corner)}]" for corner in self.box)
         return f'"{self.name}" reaches from {low} to {high}'

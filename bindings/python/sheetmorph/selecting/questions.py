@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Questions about what a selector took before a change of the part, and their answers."""
+"""Questions about items that a selector selected before a change, and their answers."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from .things import text_of
 
 @dataclass(frozen=True)
 class Candidate:
-    """What a person may have meant: a sentence, and its place, mm."""
+    """An item that the user can mean: a description, and its position, mm."""
 
     text: str
     place: list[float]
 
 
 class Question(ValueError):
-    """What a selector took before has no certain match; ``was`` says what that is.
+    """An item that a selector selected before has no certain match; ``was`` describes it.
 
-    candidates: the things of the changed part that may be meant, the nearest first.
+    candidates are possible items of the changed part, the nearest first.
     """
 
     def __init__(self, was: str, candidates: list[Candidate]):
@@ -35,9 +35,9 @@ class Question(ValueError):
 
 @dataclass
 class Work:
-    """answer: (3,) the place that answers a question, once; told: sentences.
+    """State of a search: the position (3,) that answers one question, and sentences for the user.
 
-    is_still: whether a selector took what is no rim, face or border of its own.
+    is_still states whether a selector selected something that is not a single rim, face or border.
     """
 
     answer: Floats | None
@@ -45,7 +45,7 @@ class Work:
     is_still: bool = False
 
     def answered(self, question: Question) -> Floats:
-        """The answer to a question, which is raised if there is none or it was used before."""
+        """Return the answer, or raise the question if there is none or it was used before."""
         if self.answer is None:
             raise question
         answer, self.answer = self.answer, None
@@ -58,5 +58,5 @@ def candidate_of(entry: Mapping[str, Any]) -> Candidate:
 
 
 def plain(place: Any) -> list[float]:
-    """Return a place with three digits behind the point, as a person would write it."""
+    """Return a position rounded to three decimals, as a person writes it."""
     return [float(x) + 0.0 for x in np.round(np.asarray(place, dtype=float), 3)]

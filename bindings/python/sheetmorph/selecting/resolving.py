@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Selectors to vertices: the one place that decides what a sentence of a recipe means."""
+"""Conversion of selectors to vertices."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ _LEAVES: dict[str, Callable[[PartShape, Any], Chosen]] = {
 
 
 def selected(shape: PartShape, selector: Any) -> Chosen:
-    """The region a selector, or a list of them, stands for on a part.
+    """Return the region of a selector, or of a list of them, on a part.
 
-    Raises SelectorError if it is wrong, or selects nothing.
+    Raises SelectorError if it is invalid or selects nothing.
     """
     for fault in form_faults(selector):
         raise fault
@@ -72,7 +72,7 @@ def _evaluated(shape: PartShape, selector: Any) -> Chosen:
 
 
 def _below(shape: PartShape, path: Path, selector: Any) -> Chosen:
-    """An operand; one that selects nothing is told."""
+    """Return the region of an operand; an empty one gives a remark."""
     try:
         found = _evaluated(shape, selector)
     except SelectorError as error:
@@ -103,12 +103,12 @@ def _spoken(selector: Any) -> str:
 
 
 def has_selectors(recipe: Any) -> bool:
-    """Whether a recipe of sound form says of a region what it is rather than its vertices."""
+    """Return whether a recipe has selectors; its form is already checked."""
     return any(True for _ in _holders(recipe))
 
 
 def _holders(recipe: Mapping[str, Any]) -> Iterator[tuple[list[str | int], str, dict[str, Any]]]:
-    """Every entry with a selector: its place in the recipe, its part, the entry."""
+    """Yield every entry with a selector: its path, part and content."""
     for path, entry in _regions(recipe):
         if isinstance(entry, dict) and "where" in entry:
             yield path, entry["part"], entry
@@ -131,9 +131,10 @@ def _regions(recipe: Mapping[str, Any]) -> Iterator[tuple[list[str | int], Any]]
 def resolved(
     recipe: dict[str, Any], parts: list[PartEntry], meshes: Mapping[str, PartMesh]
 ) -> Resolved:
-    """The recipe with the ids of the vertices in place of its selectors.
+    """Return the recipe with vertex ids in place of its selectors.
 
-    recipe: of sound form; parts: its parts, split files replaced. Raises RecipeError.
+    The form of the recipe is already checked, and parts has the entries of split files. Raises
+    RecipeError.
     """
     placements = {part.name: part.placement for part in parts}
     shapes: dict[str, PartShape] = {}
@@ -159,7 +160,7 @@ def resolved(
 
 
 def _shallow(recipe: dict[str, Any]) -> dict[str, Any]:
-    """A copy in which the entries of regions are copies too."""
+    """Return a copy of the recipe whose region entries are copies too."""
     copy = dict(recipe)
     for section in (*_REGIONS, "contacts"):
         if isinstance(copy.get(section), list):
@@ -169,14 +170,14 @@ def _shallow(recipe: dict[str, Any]) -> dict[str, Any]:
 
 
 def _with_own(entry: Any, keys: Iterable[str]) -> Any:
-    """A copy of an entry, and of the dicts below some keys."""
+    """Return a copy of an entry and of the dicts under some of its keys."""
     if not isinstance(entry, dict):
         return entry
     return {**entry, **{key: dict(entry[key]) for key in keys if isinstance(entry.get(key), dict)}}
 
 
 def _put(entry: dict[str, Any], mesh: PartMesh, chosen: Chosen) -> None:
-    """Vertex ids in place of the selector; the prepared mesh's where the file has none for them."""
+    """Replace the selector by vertex ids; ids of the prepared mesh if file ids are ambiguous."""
     del entry["where"]
     entry.pop("holes", None)
     vertices = chosen.vertices

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rigid motions that put several places of one state of a part onto those of another state."""
+"""Rigid motions that map several points of one state of a part to those of another."""
 
 from __future__ import annotations
 
@@ -10,33 +10,33 @@ import numpy as np
 
 from ..arrays import Bools, Floats
 
-# Bounds on the work: pairs of places that fix a motion, and motions that are tried.
+# Limits of the work: point pairs that define a motion, motions to try, and points for rotations.
 _ANCHORS, _TRIED, _MOST_TURNED = 3, 40, 250
 
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """x -> turn x + shift: turn (3, 3), shift (3,) mm."""
+    """The motion x -> turn x + shift, with turn (3, 3) and shift (3,), mm."""
 
     turn: Floats
     shift: Floats
 
     def applied(self, places: Floats) -> Floats:
-        """Return places (n, 3) after the motion."""
+        """Return points (n, 3) after the motion."""
         found: Floats = places @ self.turn.T + self.shift
         return found
 
     def length(self, places: Floats) -> float:
-        """Return how far it moves places (n, 3) in the mean, mm."""
+        """Return the mean displacement of points (n, 3), mm."""
         return float(np.linalg.norm(self.applied(places) - places, axis=1).mean())
 
 
 def proposed_motions(
     places: tuple[Floats, Floats], axes: tuple[Floats, Floats], allowed: Bools, slack: float
 ) -> list[Motion]:
-    """Return the motions between two sets of places, each with axes (n, 3) of length 1.
+    """Return candidate motions between two sets of points with unit axes (n, 3).
 
-    allowed: (n, m) which place may become which; slack: mm, within which two motions are the same.
+    allowed (n, m) states which points can correspond. Motions within slack, mm, are equal.
     """
     if min(len(places[0]), len(places[1])) < 2:
         return []
@@ -50,7 +50,7 @@ def proposed_motions(
 
 
 def _shifts(places: tuple[Floats, Floats], allowed: Bools, slack: float) -> list[Motion]:
-    """The shifts that most pairs of places agree on."""
+    """Return the translations that most pairs of points share."""
     rows, columns = np.nonzero(allowed)
     shifts = places[1][columns] - places[0][rows]
     cells, first, counts = np.unique(
@@ -63,7 +63,7 @@ def _shifts(places: tuple[Floats, Floats], allowed: Bools, slack: float) -> list
 def _turned(
     places: tuple[Floats, Floats], axes: tuple[Floats, Floats], allowed: Bools, slack: float
 ) -> Iterator[Motion]:
-    """Motions that put two far places, with the axis of one, onto two as far from each other."""
+    """Yield motions that map two distant points and an axis to a pair with the same distance."""
     between = [np.linalg.norm(p[:, None, :] - p[None, :, :], axis=2) for p in places]
     for a, b in _anchors(between[0]):
         fits = np.abs(between[1] - between[0][a, b]) <= 2.0 * slack
@@ -79,7 +79,7 @@ def _turned(
 
 
 def _anchors(between: Floats) -> list[tuple[int, int]]:
-    """Pairs of places, the farthest ones first, none of them twice."""
+    """Return disjoint pairs of points, the most distant first."""
     order = np.argsort(-between, axis=None, kind="stable")
     found: list[tuple[int, int]] = []
     used: set[int] = set()
@@ -93,7 +93,7 @@ def _anchors(between: Floats) -> list[tuple[int, int]]:
 
 
 def _frame(along: Floats, axis: Floats) -> Floats | None:
-    """Columns: a direction, across it, and the axis made square to it; None without any."""
+    """Return a frame as columns: direction, perpendicular, orthogonalised axis; or None."""
     length = float(np.linalg.norm(along))
     if not length > 0.0:
         return None
@@ -107,7 +107,7 @@ def _frame(along: Floats, axis: Floats) -> Floats | None:
 
 
 def _distinct(motions: list[Motion], places: Floats, slack: float) -> list[Motion]:
-    """Motions that put the first and the farthest place elsewhere."""
+    """Return motions that differ at the first point or at the point farthest from it."""
     far = places[[0, int(np.linalg.norm(places - places[0], axis=1).argmax())]]
     seen: set[bytes] = set()
     found = []

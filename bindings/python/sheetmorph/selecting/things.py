@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rims, faces, borders and pieces of a part among which a selector takes the nearest one."""
+"""The candidate items of nearest-item selectors: rims, faces, borders and pieces of a part."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from ..arrays import Floats, Ints
 from .looked_up import CREASE_ANGLE, RIMMED, rim_loops, rim_vertices, segments_distance
 from .part_shape import PartShape
 
-# How many places of a thing stand for all of it, and how far two directions may differ (cosine).
+# Number of sample points of an item, and smallest cosine between equal directions.
 _SAMPLES, _SAME_WAY = 48, 0.8
-# By which factor its length, or the root of its area, may change.
+# Largest factor by which its length, or the square root of its area, may change.
 _SAME_EXTENT = 4.0
-# Area vector over area above which a face has a direction.
+# A face has a direction if its area vector is longer than this share of its area.
 _FLAT = 0.9
 
 Told = Mapping[str, Any]
@@ -26,11 +26,11 @@ Told = Mapping[str, Any]
 
 @dataclass(frozen=True, eq=False)
 class Thing:
-    """What a selector may take on a part.
+    """An item that a selector can select on a part.
 
-    place: (3,) its centre; vertices: what the selector takes with it; samples: (k, 3) places on it;
-    text: what a question calls it; feature: its row among the features; way: (3,) the direction
-    that a flat face looks in; number: of a CAD face.
+    vertices are those that the selector selects, and samples (k, 3) are points on the item. feature
+    is its row among the features. way (3,) is the normal of a flat face. number is that of a CAD
+    face.
     """
 
     kind: str
@@ -46,7 +46,7 @@ class Thing:
 
     @property
     def place(self) -> Floats:
-        """The centre: of a feature as it was fitted."""
+        """Centre of the item; for a feature the fitted one."""
         if self.feature is not None:
             return np.array(self.shape.features[self.feature]["center"])
         found: Floats = self.samples.mean(axis=0)
@@ -54,14 +54,14 @@ class Thing:
 
     @property
     def text(self) -> str:
-        """What a question calls it."""
+        """Description for a question."""
         if self.feature is not None:
             return text_of(self.shape.features[self.feature])
         return f"the {self.kind} at {_spoken(self.place)}"
 
     @property
     def extent(self) -> float:
-        """The length of a line, the root of the area of a face, mm."""
+        """Length of a line, or square root of the area of a face, mm."""
         if self.triangles is None:
             ends = self.shape.points[self.segments]
             return float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
@@ -69,7 +69,7 @@ class Thing:
         return float(np.sqrt(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()))
 
     def may_be(self, other: Thing, scale: float) -> bool:
-        """Whether another state of a part, so many times as large, may have this as the other."""
+        """Return whether the item can correspond to another one of a state scaled by `scale`."""
         if self.kind != other.kind or (self.way is None) != (other.way is None):
             return False
         extents = sorted([scale * self.extent, other.extent])
@@ -78,11 +78,11 @@ class Thing:
         return self.way is None or other.way is None or float(self.way @ other.way) > _SAME_WAY
 
     def gap(self, places: Floats) -> float:
-        """How far places (k, 3) are from it in the mean, mm."""
+        """Return the mean distance of points (k, 3) from the item, mm."""
         return float(np.mean([self._nearest(place)[0] for place in places]))
 
     def points(self, first: Floats) -> Iterator[Floats]:
-        """Places that take it: near to a point, then on it."""
+        """Yield points at which a selector selects the item: its centre, then points on it."""
         yield self.place
         yield self._nearest(first)[1]
         yield from self.samples[:: max(1, len(self.samples) // 12)]
@@ -101,14 +101,16 @@ class Thing:
 
 
 def text_of(entry: Mapping[str, Any]) -> str:
-    """Return what a question calls a feature: kind, size and place."""
+    """Return the description of a feature for a question: kind, size and position."""
     size = f" of {2.0 * entry['radius']:.4g} mm" if entry["kind"] == "round hole" else ""
     return f"the {entry['kind']}{size} at {_spoken(entry['center'])}"
 
 
 def things_of(key: str, told: Told) -> Callable[[PartShape, Told], list[Thing]] | None:
-    """Return what lists the things of a part that a selector looks among; None if it looks for
-    none: then it is a rule, a name or a piece of space."""
+    """Return the function that lists the candidates of a selector on a part.
+
+    It is None for a selector that is a rule, a name or a volume.
+    """
     if key == "found":
         return _features if "near" in told else None
     return _LISTED.get(key)
@@ -196,13 +198,13 @@ _LISTED: dict[str, Callable[[PartShape, Told], list[Thing]]] = {
 
 
 def _closed(loop: Ints) -> Ints:
-    """The segments (k, 2) of a closed line."""
+    """Return the segments (k, 2) of a closed polyline."""
     found: Ints = np.column_stack([loop, np.roll(loop, -1)])
     return found
 
 
 def _line(shape: PartShape, segments: Ints, kind: str, taken: tuple[Ints, int | None]) -> Thing:
-    """A line of segments; taken: the vertices that the selector takes with it, its feature."""
+    """Return a line of segments; taken has its selected vertices and its feature row."""
     middles = shape.points[segments].mean(axis=1)
     return Thing(
         kind, shape, np.unique(taken[0]), _spread(middles), segments=segments, feature=taken[1]
@@ -210,7 +212,7 @@ def _line(shape: PartShape, segments: Ints, kind: str, taken: tuple[Ints, int | 
 
 
 def _face(shape: PartShape, rows: Ints, kind: str, number: int | None = None) -> Thing:
-    """Some triangles; number: of a CAD face."""
+    """Return triangles as an item; number is that of a CAD face."""
     triangles = np.ascontiguousarray(shape.triangles[rows])
     a, b, c = (shape.points[triangles[:, k]] for k in range(3))
     vector = 0.5 * np.cross(b - a, c - a).sum(axis=0)
@@ -227,7 +229,7 @@ def _face(shape: PartShape, rows: Ints, kind: str, number: int | None = None) ->
 
 
 def _spread(places: Floats) -> Floats:
-    """Some of many places, evenly taken."""
+    """Return evenly distributed samples of many points."""
     step = np.linspace(0, len(places) - 1, min(len(places), _SAMPLES)).round().astype(int)
     found: Floats = places[step]
     return found

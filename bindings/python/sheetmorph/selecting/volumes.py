@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Selectors that are a piece of space: box, half-space, slab, cylinder, sphere."""
+"""Selectors for volumes: box, half-space, slab, cylinder, sphere."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from ..arrays import Floats
 from .chosen import Chosen, SelectorError
 from .part_shape import PartShape
 
-# Into how many triangles along an edge one is cut whose share inside is counted.
+# Subdivision of a triangle edge, to measure the share of the triangle inside a volume.
 _CUTS = 12
 
 
 def _middles() -> Floats:
-    """Barycentric coordinates (k, 3) of the middles of equal small triangles within one."""
+    """Return barycentric coordinates (k, 3) of the centres of equal small triangles."""
     upward = [(i, j, 1 / 3) for i in range(_CUTS) for j in range(_CUTS - i)]
     downward = [(i, j, 2 / 3) for i in range(_CUTS - 1) for j in range(_CUTS - 1 - i)]
     first = np.array([((i + s) / _CUTS, (j + s) / _CUTS) for i, j, s in upward + downward])
@@ -61,13 +61,13 @@ def _sphere(points: Floats, told: Mapping[str, Any]) -> Floats:
 
 
 def _height(points: Floats, told: Mapping[str, Any], key: str) -> Floats:
-    """(n,) how far points are from one along a direction, mm."""
+    """Return the signed distances (n,) of points along a direction, mm."""
     found: Floats = (points - np.array(told["point"], dtype=float)) @ unit(told[key], key)
     return found
 
 
 def unit(direction: Any, key: str) -> Floats:
-    """A direction (3,) of length 1. Raises SelectorError if it has none."""
+    """Return the direction (3,) with length 1. Raises SelectorError if its length is zero."""
     length = float(np.linalg.norm(np.array(direction, dtype=float)))
     if not length > 1e-100:
         todo = "give it a direction, for example [0, 0, 1]"
@@ -75,7 +75,7 @@ def unit(direction: Any, key: str) -> Floats:
     return np.array(direction, dtype=float) / length
 
 
-# By key: how far points (n, 3) are outside, mm, not more than 0 inside.
+# Signed distance of points (n, 3) from each volume, mm, at most 0 inside.
 _OUTSIDE: dict[str, Callable[[Floats, Any], Floats]] = {
     "box": _box,
     "half_space": _half_space,
@@ -87,7 +87,7 @@ VOLUMES = tuple(_OUTSIDE)
 
 
 def within(shape: PartShape, key: str, told: Any) -> Chosen:
-    """The vertices in a piece of space, and how much of every triangle lies in it."""
+    """Return the vertices inside a volume, and the share of every triangle inside."""
     inside = shape.used & (_OUTSIDE[key](shape.points, told) <= shape.slack)
     share = inside[shape.triangles].mean(axis=1)
     cut = np.flatnonzero((share > 0.0) & (share < 1.0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Selectors as Python writes them: functions of the recipe's names, joined by | & -."""
+"""Selectors in Python: functions with the names of the recipe, joined by | & -."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from ..arrays import Floats, Ids
 
 Vector = Sequence[float] | Floats
 Where = dict[str, Any] | Sequence[dict[str, Any]]
-"""A selector; or several, whose union it is."""
+"""A selector, or several for their union."""
 Region = Where | Ids
 
 
 class Selector(dict[str, Any]):
-    """A selector as a recipe has it; `a | b`, `a & b` and `a - b` join two."""
+    """A selector in the form of the recipe; `a | b`, `a & b` and `a - b` join two."""
 
-    # As JSON it is a dict, and that is all it shares with one: | joins regions, not keys.
+    # A dict only for JSON: here | joins regions, not keys.
     def __or__(self, other: Where) -> Selector:  # type: ignore[override]
         return union(self, other)
 
@@ -32,7 +32,7 @@ class Selector(dict[str, Any]):
 
 
 def _numbers(values: Any) -> Any:
-    """Lists of plain numbers, as JSON has them, of tuples and arrays too."""
+    """Convert tuples and arrays to lists of plain numbers, as in JSON."""
     if hasattr(values, "tolist"):
         return values.tolist()
     is_list = isinstance(values, (list, tuple, range))
@@ -44,65 +44,203 @@ def _made(**keys: Any) -> Selector:
 
 
 def vertices(ids: Ids) -> Selector:
-    """Vertices by their ids."""
+    """Select vertices by their ids.
+
+    Parameters
+    ----------
+    ids : sequence of int
+        Ids of the file.
+
+    Returns
+    -------
+    Selector
+    """
     return _made(vertices=ids)
 
 
 def box(low: Vector, high: Vector) -> Selector:
-    """What lies between two opposite corners, mm."""
+    """Select the vertices in an axis-aligned box.
+
+    Parameters
+    ----------
+    low, high : sequence of float
+        Opposite corners (3,), mm.
+
+    Returns
+    -------
+    Selector
+    """
     return _made(box=[low, high])
 
 
 def half_space(point: Vector, normal: Vector) -> Selector:
-    """The side of a plane that its normal points to."""
+    """Select the vertices on one side of a plane.
+
+    Parameters
+    ----------
+    point : sequence of float
+        Point on the plane (3,), mm.
+    normal : sequence of float
+        Direction (3,) to the selected side.
+
+    Returns
+    -------
+    Selector
+    """
     return Selector(half_space=dict(_made(point=point, normal=normal)))
 
 
 def slab(point: Vector, normal: Vector, thickness: float) -> Selector:
-    """What is nearer than half the thickness to a plane."""
+    """Select the vertices between two parallel planes.
+
+    Parameters
+    ----------
+    point : sequence of float
+        Point on the mid-plane (3,), mm.
+    normal : sequence of float
+        Normal (3,).
+    thickness : float
+        Distance of the planes, mm.
+
+    Returns
+    -------
+    Selector
+    """
     return Selector(slab=dict(_made(point=point, normal=normal, thickness=thickness)))
 
 
 def cylinder(
     point: Vector, direction: Vector, radius: float, length: float | None = None
 ) -> Selector:
-    """What is within a cylinder around an axis; without a length it goes on both ways."""
+    """Select the vertices in a cylinder.
+
+    Parameters
+    ----------
+    point : sequence of float
+        Point on the axis (3,), mm; the cylinder starts here if it has a length.
+    direction : sequence of float
+        Direction of the axis (3,).
+    radius : float
+        mm.
+    length : float, optional
+        mm; infinite in both directions by default.
+
+    Returns
+    -------
+    Selector
+    """
     told = _made(point=point, direction=direction, radius=radius, length=length)
     return Selector(cylinder=dict(told))
 
 
 def sphere(center: Vector, radius: float) -> Selector:
-    """What is within a sphere."""
+    """Select the vertices in a sphere.
+
+    Parameters
+    ----------
+    center : sequence of float
+        Centre (3,), mm.
+    radius : float
+        mm.
+
+    Returns
+    -------
+    Selector
+    """
     return Selector(sphere=dict(_made(center=center, radius=radius)))
 
 
 def face_at(point: Vector, crease_angle: float | None = None) -> Selector:
-    """The face nearest to a point, up to bends of the crease angle (degrees, 20)."""
+    """Select the face nearest to a point, up to its creases.
+
+    Parameters
+    ----------
+    point : sequence of float
+        Point (3,), mm.
+    crease_angle : float, optional
+        Smallest angle of a crease, degrees; 20 by default.
+
+    Returns
+    -------
+    Selector
+    """
     return _made(face_at=point, crease_angle=crease_angle)
 
 
 def rim_at(point: Vector, rings: int | None = None) -> Selector:
-    """The rim nearest to a point, with rings of triangles around it."""
+    """Select the rim nearest to a point.
+
+    Parameters
+    ----------
+    point : sequence of float
+        Point (3,), mm.
+    rings : int, optional
+        Rings of triangles around the rim to include.
+
+    Returns
+    -------
+    Selector
+    """
     return _made(rim_at=point, rings=rings)
 
 
 def border_at(point: Vector) -> Selector:
-    """The border of the sheet nearest to a point."""
+    """Select the border of the sheet nearest to a point.
+
+    Parameters
+    ----------
+    point : sequence of float
+        Point (3,), mm.
+
+    Returns
+    -------
+    Selector
+    """
     return _made(border_at=point)
 
 
 def borders_longer(length: float) -> Selector:
-    """All borders of the sheet longer than a length, mm."""
+    """Select all borders of the sheet longer than a length.
+
+    Parameters
+    ----------
+    length : float
+        mm.
+
+    Returns
+    -------
+    Selector
+    """
     return _made(borders_longer=length)
 
 
 def piece_at(point: Vector) -> Selector:
-    """The connected component nearest to a point."""
+    """Select the connected component nearest to a point.
+
+    Parameters
+    ----------
+    point : sequence of float
+        Point (3,), mm.
+
+    Returns
+    -------
+    Selector
+    """
     return _made(piece_at=point)
 
 
 def group(name: str) -> Selector:
-    """What the file calls by a name."""
+    """Select a group, set or property by its name in the file.
+
+    Parameters
+    ----------
+    name : str
+        The name.
+
+    Returns
+    -------
+    Selector
+    """
     return _made(group=name)
 
 
@@ -112,49 +250,164 @@ def cad_face_at(
     name: str | None = None,
     number: int | None = None,
 ) -> Selector:
-    """The face of the CAD file nearest to a point."""
+    """Select the face of the CAD file nearest to a point.
+
+    Parameters
+    ----------
+    point : sequence of float
+        Point (3,), mm.
+    kind : str, optional
+        Surface kind of the face.
+    name : str, optional
+        Name of the face in the file.
+    number : int, optional
+        Expected number of the face; another one gives a remark.
+
+    Returns
+    -------
+    Selector
+    """
     return _made(cad_face_at=point, kind=kind, name=name, number=number)
 
 
 def cad_edge_at(point: Vector) -> Selector:
-    """The edge of the CAD file nearest to a point."""
+    """Select the edge of the CAD file nearest to a point.
+
+    Parameters
+    ----------
+    point : sequence of float
+        Point (3,), mm.
+
+    Returns
+    -------
+    Selector
+    """
     return _made(cad_edge_at=point)
 
 
 def found(
     kind: str, near: Vector | None = None, diameter: Vector | None = None, count: int | None = None
 ) -> Selector:
-    """What `find` finds: all of a kind, those of a diameter, the nearest to a point."""
+    """Select features that the search finds.
+
+    Parameters
+    ----------
+    kind : str
+        Kind of feature, such as "round hole".
+    near : sequence of float, optional
+        Select only the feature nearest to this point (3,), mm.
+    diameter : sequence of float, optional
+        Select only features in this range (2,), mm.
+    count : int, optional
+        Expected number of features.
+
+    Returns
+    -------
+    Selector
+    """
     return _made(found=kind, near=near, diameter=diameter, count=count)
 
 
 def everything() -> Selector:
-    """The whole part."""
+    """Select the whole part.
+
+    Returns
+    -------
+    Selector
+    """
     return Selector(all=True)
 
 
 def union(*selectors: Where) -> Selector:
-    """What is in one of them."""
+    """Select the vertices in any of the selectors.
+
+    Parameters
+    ----------
+    *selectors : selector
+        The operands.
+
+    Returns
+    -------
+    Selector
+    """
     return Selector(union=list(selectors))
 
 
 def intersection(*selectors: Where) -> Selector:
-    """What is in all of them."""
+    """Select the vertices in all selectors.
+
+    Parameters
+    ----------
+    *selectors : selector
+        The operands.
+
+    Returns
+    -------
+    Selector
+    """
     return Selector(intersection=list(selectors))
 
 
 def minus(first: Where, *others: Where) -> Selector:
-    """What is in the first, and in none of the others."""
+    """Select the vertices in the first selector but in none of the others.
+
+    Parameters
+    ----------
+    first, *others : selector
+        The operands.
+
+    Returns
+    -------
+    Selector
+    """
     return Selector(minus=[first, *others])
 
 
 def grow(selector: Where, rings: int | None = None, length: float | None = None) -> Selector:
-    """A region and the rings of triangles, or the length, mm, around it."""
+    """Add the surroundings of a region.
+
+    Parameters
+    ----------
+    selector : selector
+        The region.
+    rings : int, optional
+        Number of rings of triangles.
+    length : float, optional
+        Length along the sheet, mm.
+
+    Returns
+    -------
+    Selector
+
+    Raises
+    ------
+    ValueError
+        Unless exactly one of rings and length is given.
+    """
     return Selector(grow=_amount(rings, length), of=selector)
 
 
 def shrink(selector: Where, rings: int | None = None, length: float | None = None) -> Selector:
-    """A region without the rings of triangles, or the length, mm, at its edge."""
+    """Remove the outer zone of a region.
+
+    Parameters
+    ----------
+    selector : selector
+        The region.
+    rings : int, optional
+        Number of rings of triangles.
+    length : float, optional
+        Length along the sheet, mm.
+
+    Returns
+    -------
+    Selector
+
+    Raises
+    ------
+    ValueError
+        Unless exactly one of rings and length is given.
+    """
     return Selector(shrink=_amount(rings, length), of=selector)
 
 
@@ -167,7 +420,7 @@ def _amount(rings: int | None, length: float | None) -> int | dict[str, float]:
 
 
 def sentence(selector: Where) -> str:
-    """A selector in a few words: face_at [1, 2, 3], (a minus b)."""
+    """Return a short text for a selector: face_at [1, 2, 3], (a minus b)."""
     if not isinstance(selector, dict):
         return _joined(selector, "or")
     for key, word in (("union", "or"), ("intersection", "and"), ("minus", "minus")):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Studies: variants of a recipe, sampled, computed, certified and told in one table."""
+"""Studies: variants of a recipe that are sampled, computed, certified and tabulated."""
 
 from .evaluating import Evaluator
 from .reaching import Reach

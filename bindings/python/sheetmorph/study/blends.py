@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Poses of a recipe added to each other, each by a share."""
+"""Weighted sums of the poses of a recipe."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ _BLENDED = {"translation", "rotation", "pivot"}
 def with_pose(
     pose: dict[str, Any], other: dict[str, Any], share: float, where: str
 ) -> dict[str, Any]:
-    """A pose with a share of another one added; both of sound form.
+    """Add a share of another pose to a pose; both have a checked form.
 
-    Translations go straight; rotations go along their axis, between two axes along the line between
-    axis times angle, so that whole turns count. Raises RecipeError.
+    Translations are scaled. The product of rotation axis and angle is added, so that whole turns
+    count. Raises RecipeError.
     """
     added = dict(pose)
     for name, motion in other.items():
@@ -59,7 +59,7 @@ def _with_turn(turn: dict[str, Any] | None, other: dict[str, Any], share: float)
 
 
 def _log(turn: dict[str, Any]) -> Floats:
-    """Axis of length 1 times the angle, degrees."""
+    """Return the unit axis times the angle, degrees."""
     axis = np.asarray(turn["axis"], float)
     length = math.sqrt(float(axis @ axis))
     found: Floats = axis / length * turn["degrees"] if length else axis

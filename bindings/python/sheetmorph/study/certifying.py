@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The certificate of a variant: of its files read again, and of the study's own criteria."""
+"""The certificate of a variant: from its files, read again, and the criteria of the study."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from typing import Any
 
-# Holds for every study that does not say otherwise: no triangle may turn over.
+# Default for every study: triangles must not flip.
 STANDARD: Mapping[str, Mapping[str, float]] = {"flipped": {"max": 0.0}}
-# Of a report: what a certificate does not tell itself.
+# Report entries that the certificate does not contain.
 _TOLD = ("pose", "tolerance", "warnings")
 
 Numbers = Mapping[str, float | None]
@@ -20,9 +20,9 @@ def certificate(
     criteria: list[dict[str, Any]],
     measures: Numbers,
 ) -> dict[str, Any]:
-    """What `certificate.json` of a variant holds; it is the same whenever it is computed.
+    """Return the content of a variant's `certificate.json`; it does not depend on the run.
 
-    proof: of a Certifier; report: of Writer.write_parts(); criteria: as judged() gives them.
+    proof comes from a Certifier, report from Writer.write_parts(), and criteria from judged().
     """
     of_decks = [text for deck in report["decks"] for text in deck["failures"]]
     solved = [text for text in report["certificate"]["failures"] if text not in of_decks]
@@ -41,7 +41,7 @@ def judged(
     measures: Numbers,
     figure: Callable[[str], float | None],
 ) -> list[dict[str, Any]]:
-    """Every criterion with its value and whether it holds; what cannot be measured does not."""
+    """Return every criterion with its value and result; a value that cannot be measured fails."""
     found = []
     for name, limits in {**STANDARD, **criteria}.items():
         value = measures[name] if name in measures else figure(name)
@@ -51,7 +51,7 @@ def judged(
 
 
 def failures_of(criteria: list[dict[str, Any]]) -> list[str]:
-    """A sentence for every criterion that does not hold."""
+    """Return a sentence for every criterion that failed."""
     return [_sentence(entry) for entry in criteria if not entry["passed"]]
 
 

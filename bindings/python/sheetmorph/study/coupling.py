@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One evaluation for another program: Dakota's params.in and results.out, or JSON for both."""
+"""One evaluation for another program, with Dakota's params.in and results.out, or JSON."""
 
 from __future__ import annotations
 
@@ -22,8 +22,11 @@ _APREPRO = re.compile(r"^\s*\{\s*(\S+?)\s*=\s*(.+?)\s*\}\s*$")
 
 @dataclass(frozen=True)
 class Request:
-    """values by parameter; wanted: bits of what is asked for (1 value, 2 gradient) by measure;
-    along: the parameters of the gradient, in order; is_json: how it was asked, and is answered."""
+    """A request of another program.
+
+    values has the parameters. wanted maps a measure to its bits: 1 value, 2 gradient. along lists
+    the parameters of the gradient in order. is_json states whether request and answer are JSON.
+    """
 
     values: dict[str, float]
     wanted: dict[str, int] = field(default_factory=dict)
@@ -34,10 +37,10 @@ class Request:
 def evaluate_files(
     study: str | Path, asked: str | Path, answer: str | Path, *, files: FileSet | None = None
 ) -> list[str]:
-    """Answer one request of another program; returns what to tell.
+    """Answer a request of another program and return the lines to print.
 
-    What cannot be computed is answered as a failure, which Dakota captures. Raises RecipeError,
-    FileError, KernelError. files: a new FileSet.
+    A failed computation is answered with a failure that Dakota captures. files is a new FileSet.
+    Raises RecipeError, FileError, KernelError.
     """
     evaluator = Evaluator(study)
     files = files or FileSet("study")
@@ -58,7 +61,7 @@ def evaluate_files(
 
 
 def read_request(path: Path, columns: list[str]) -> Request:
-    """What is asked for; columns: the measures there are. Raises FileError."""
+    """Read a request; columns are the available measures. Raises FileError."""
     try:
         text = read_text(path)
     except (OSError, UnicodeDecodeError) as error:
@@ -67,7 +70,7 @@ def read_request(path: Path, columns: list[str]) -> Request:
     request = request or _from_dakota(path, text)
     unknown = [name for name in request.wanted if name not in columns]
     if unknown and len(request.wanted) == len(columns) and not request.is_json:
-        # Dakota calls responses without labels response_fn_1 and so on: by their order.
+        # Dakota names unlabelled responses response_fn_1 and so on, so their order counts.
         bits = list(request.wanted.values())
         return Request(request.values, dict(zip(columns, bits)), request.along)
     if unknown:
@@ -126,7 +129,7 @@ def _from_dakota(path: Path, text: str) -> Request:
 
 
 def _rows(path: Path, text: str) -> list[tuple[str, str]]:
-    """(value, tag) of every line, of the standard form or of APREPRO's."""
+    """Return (value, tag) of every line, in the standard form or in that of APREPRO."""
     rows = []
     for number, line in enumerate(text.splitlines(), 1):
         found = _APREPRO.match(line)

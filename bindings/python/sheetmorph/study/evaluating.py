@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A study as a function for optimisers: from values of the parameters to measures and slopes."""
+"""A study as a function for optimisers: parameter values to measures and derivatives."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
-from functools import cache, lru_cache
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -15,43 +14,49 @@ from ..arrays import Floats
 from ..errors import Fault, RecipeError
 from ..report import make_report
 from ..session import Result
-from ..translation import Numbers
-from .figures import OF_POSITIONS, Figures, live_report
+from .figures import Figures
 from .measures import Numbers as Measured
 from .measures import Scene
 from .plan import Plan
 from .sampling import Values
 from .working import Workshop
 
-# Central differences of the sixth order: places in steps, and weights.
-_STENCIL = ((1, 45.0 / 60.0), (2, -9.0 / 60.0), (3, 1.0 / 60.0))
-# A step, of the range: rounding and the order's own error are both far below 1e-6 there.
-_STEP = 5e-3
+# Step of a central difference, as a share of the parameter range. The truncation error grows with
+# the square of the step and the rounding error with its inverse. Here both stay below 1e-6 of a
+# derivative.
+_STEP = 2e-3
 
 Given = Mapping[str, float] | Sequence[float]
 
 
-class _NewPreprocessing(Exception):
-    """A parameter does not only change the pose."""
-
-
 class Evaluator:
-    """Measures of a study's recipe at any values of its parameters, each by an exact answer.
+    """Measures of a study at any parameter values, each from an exact answer.
 
-    names, columns: of parameters and measures; bounds: (k, 2) of the parameters. Pre-processing is
-    done once for all values that share it. Slopes of positions come from the solves themselves,
-    differentiated with the factors that are there; differenced: the parameters of the last slopes
-    for which they came from differences of exact answers, with why. Raises RecipeError, FileError,
-    KernelError.
+    The pre-processing phase runs once for all values that share it.
+
+    Parameters
+    ----------
+    study : str or path
+        The study file.
+
+    Attributes
+    ----------
+    names : list of str
+        Parameters (k).
+    columns : list of str
+        Measures (m).
+    bounds : array (k, 2)
+        Lower and upper limits of the parameters.
+
+    Raises
+    ------
+    RecipeError, FileError, KernelError
     """
 
     def __init__(self, study: str | Path):
         self._plan = Plan(study)
         self._shop = Workshop(self._plan)
         self._last: tuple[Values, Result] | None = None
-        worst = [told["worst"] for told in self._plan.study.measure.values() if "worst" in told]
-        self._needs_answers = [name for name in worst if name not in OF_POSITIONS]
-        self.differenced: dict[str, str] = {}
         self.names: list[str] = self._plan.study.names
         self.columns: list[str] = self._plan.columns
         self.bounds = np.array([_bounds(entry) for entry in self._plan.study.parameters])
@@ -63,110 +68,135 @@ class Evaluator:
         return found
 
     def __call__(self, values: Given) -> dict[str, float | None]:
-        """The measures, by column. Raises RecipeError for values that cannot be computed."""
+        """Return the measures by name.
+
+        Parameters
+        ----------
+        values : mapping or sequence of float
+            Parameter values, by name or in the order of ``names``.
+
+        Returns
+        -------
+        dict
+            Measure to its value, None if it cannot be measured.
+
+        Raises
+        ------
+        RecipeError
+            If the values cannot be computed.
+        """
         return self._measured(self._values(values))
 
     def array(self, values: Given) -> Floats:
-        """The measures (m,) in the order of `columns`; NaN where there is nothing to measure."""
+        """Return the measures as an array.
+
+        Parameters
+        ----------
+        values : mapping or sequence of float
+            Parameter values.
+
+        Returns
+        -------
+        array (m,)
+            Measures in the order of ``columns``; NaN if one cannot be measured.
+
+        Raises
+        ------
+        RecipeError
+            If the values cannot be computed.
+        """
         return _array(self(values))
 
     def gradient(self, values: Given) -> Floats:
-        """Slopes (m, k) of the measures over the parameters."""
+        """Return the derivatives of the measures, as central differences of exact answers.
+
+        Parameters
+        ----------
+        values : mapping or sequence of float
+            Parameter values.
+
+        Returns
+        -------
+        array (m, k)
+            Derivative of each measure by each parameter.
+
+        Raises
+        ------
+        RecipeError
+            If the values cannot be computed.
+        """
         told = self._values(values)
-        if self._needs_answers:
-            why = f'"{self._needs_answers[0]}" is measured of an exact answer'
-            rates, self.differenced = {}, dict.fromkeys(self.names, why)
-        else:
-            rates = self._rates(told)
-        return np.stack([self._measure_slope(told, name, rates) for name in self.names], axis=-1)
+        slopes = [self._slopes(told, name, self._array) for name in self.names]
+        return np.stack([slope[""] for slope in slopes], axis=-1)
 
     def positions(self, values: Given) -> dict[str, Floats]:
-        """Positions (n, 3) by part, mm."""
+        """Return the positions of all parts.
+
+        Parameters
+        ----------
+        values : mapping or sequence of float
+            Parameter values.
+
+        Returns
+        -------
+        dict
+            Part name to positions (n, 3), mm.
+
+        Raises
+        ------
+        RecipeError
+            If the values cannot be computed.
+        """
         return dict(self._result(self._values(values)).positions)
 
     def position_gradients(self, values: Given) -> dict[str, Floats]:
-        """Slopes (n, 3, k) of the positions over the parameters, by part."""
+        """Return the derivatives of the positions by the parameters.
+
+        Parameters
+        ----------
+        values : mapping or sequence of float
+            Parameter values.
+
+        Returns
+        -------
+        dict
+            Part name to derivatives (n, 3, k), mm per unit of the parameter.
+
+        Raises
+        ------
+        RecipeError
+            If the values cannot be computed.
+        """
         told = self._values(values)
-        rates = self._rates(told)
-        found = [rates.get(name) or self._position_slope(told, name) for name in self.names]
-        return {part: np.stack([rate[part] for rate in found], axis=-1) for part in found[0]}
+        slopes = [self._slopes(told, name, self.positions) for name in self.names]
+        return {part: np.stack([slope[part] for slope in slopes], axis=-1) for part in slopes[0]}
 
     def failures(self, values: Given) -> str:
-        """Why a variant would not pass; empty if it would."""
+        """Return the reasons why a variant fails.
+
+        Parameters
+        ----------
+        values : mapping or sequence of float
+            Parameter values.
+
+        Returns
+        -------
+        str
+            The reasons, empty if the variant passes.
+        """
         return self._shop.verdict(self._values(values), True)
 
-    def _rates(self, values: Values) -> dict[str, dict[str, Floats]]:
-        """Slopes (n, 3) of the positions by parameter and part, by differentiating the solves; of
-        the parameters for which they can be. `differenced` tells why of the others."""
-        self.differenced = {}
-        variant = self._plan.variant(values)
-        session = self._shop.session(variant)
-        directions = {}
-        for name in self.names:
-            try:
-                directions[name] = self._direction(values, name, variant.key)
-            except _NewPreprocessing:
-                self.differenced[name] = "it needs another pre-processing phase"
-        moving = {
-            name: numbers
-            for name, numbers in directions.items()
-            if any(rate.any() for rate in numbers.values())
-        }
-        still = {part: np.zeros_like(mesh.points) for part, mesh in session.meshes.items()}
-        try:
-            rates = session.position_rates(variant.pose, list(moving.values())) if moving else []
-        except session.core.NoDerivative as error:
-            self.differenced |= dict.fromkeys(moving, str(error))
-            return {name: still for name in directions if name not in moving}
-        return {name: still for name in directions} | dict(zip(moving, rates))
-
-    def _direction(self, values: Values, name: str, key: str) -> Numbers:
-        """How the numbers of the pose, closed forms of a parameter, change with it."""
-
-        def numbers(at: Values) -> dict[Any, Floats]:
-            variant = self._plan.variant(at)
-            if variant.key != key:
-                raise _NewPreprocessing
-            return self._shop.session(variant).pose_numbers(variant.pose)
-
-        found = self._stencil(name, lambda step: numbers({**values, name: values[name] + step}))
-        return {entry: np.asarray(rate) for entry, rate in found.items()}
-
-    def _position_slope(self, values: Values, name: str) -> dict[str, Floats]:
-        """Differences of exact answers on both sides."""
-        return self._stencil(
-            name, lambda step: self.positions({**values, name: values[name] + step})
-        )
-
-    def _measure_slope(
-        self, values: Values, name: str, rates: Mapping[str, dict[str, Floats]]
-    ) -> Floats:
-        """Along the positions' own slopes where they are known, else of exact answers."""
-        here = self._result(values)
-
-        def measured(step: float) -> dict[str, Floats]:
-            at = {**values, name: values[name] + step}
-            if name not in rates:
-                return {"": _array(self._measured(at))}
-            moved = {p: here.positions[p] + step * rate for p, rate in rates[name].items()}
-            there = replace(here, positions=moved)
-            scene = Scene(moved, at, lambda *asked: _figures(there).figure(*asked))
-            return {"": _array(self._shop.measures(values).taken(scene))}
-
-        return self._stencil(name, measured)[""]
-
-    def _stencil(
-        self, name: str, function: Callable[[float], Mapping[Any, Floats]]
-    ) -> dict[Any, Floats]:
-        """The slope of what depends on a step of a parameter."""
+    def _slopes(
+        self, values: Values, name: str, function: Callable[[Values], Mapping[str, Floats]]
+    ) -> dict[str, Floats]:
+        """Differentiate a function of the parameters by one of them."""
         low, high = self.bounds[self.names.index(name)]
         step = _STEP * ((high - low) or max(1.0, abs(low)))
-        total: dict[Any, Any] = {}
-        for places, weight in _STENCIL:
-            beyond, before = function(places * step), function(-places * step)
-            for key, value in beyond.items():
-                total[key] = total.get(key, 0.0) + weight * (value - before[key])
-        return {key: value / step for key, value in total.items()}
+        beyond, before = (function({**values, name: values[name] + s}) for s in (step, -step))
+        return {key: (value - before[key]) / (2.0 * step) for key, value in beyond.items()}
+
+    def _array(self, values: Values) -> dict[str, Floats]:
+        return {"": self.array(values)}
 
     def _measured(self, values: Values) -> Measured:
         result = self._result(values)
@@ -196,12 +226,6 @@ class Evaluator:
             what = f"no value is given for {', '.join(missing)}"
             raise RecipeError([Fault("values", what, "give one for every parameter")])
         return {name: _finite(name, values[name]) for name in self.names}
-
-
-@lru_cache(maxsize=1)
-def _figures(moved: Result) -> Figures:
-    """Those that positions alone decide."""
-    return Figures(moved, live_report(moved))
 
 
 def _array(measures: Mapping[str, float | None]) -> Floats:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Formulas of parameters and measures; numbers, names, arithmetic and comparisons, nothing else."""
+"""Formulas of parameters and measures: numbers, names, arithmetic and comparisons only."""
 
 from __future__ import annotations
 
@@ -48,9 +48,9 @@ _LONGEST = 1000
 
 
 class Expression:
-    """A formula, for example `lift + 2 * reach <= 40`; names with spaces stand in "quotes".
+    """A formula, such as `lift + 2 * reach <= 40`; names with spaces are in "quotes".
 
-    Raises RecipeError for what is no formula, or has a name that is not among `known`.
+    Raises RecipeError if the text is not a formula, or has a name that is not in the list of names.
     """
 
     def __init__(self, text: str, known: list[str], where: str):
@@ -65,13 +65,13 @@ class Expression:
 
     @property
     def is_comparison(self) -> bool:
-        """Whether it is true or false."""
+        """Whether the formula is true or false."""
         return isinstance(self._tree, (ast.Compare, ast.BoolOp)) or (
             isinstance(self._tree, ast.UnaryOp) and isinstance(self._tree.op, ast.Not)
         )
 
     def value(self, values: Mapping[str, float]) -> Any:
-        """The number, or whether it is true; NaN where it has none (a division by zero)."""
+        """Return the number or truth value; NaN if it is undefined, as after a division by zero."""
         try:
             found = _value(self._tree, values)
         except (ArithmeticError, ValueError):
@@ -128,6 +128,6 @@ def _value(node: ast.AST, values: Mapping[str, float]) -> Any:
         return every(bool(_value(part, values)) for part in node.values)
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
         return _FUNCTIONS[node.func.id](*(_value(part, values) for part in node.args))
-    assert isinstance(node, ast.Compare)  # what else is allowed
+    assert isinstance(node, ast.Compare)  # the only remaining admissible node
     sides = [_value(part, values) for part in (node.left, *node.comparators)]
     return all(_COMPARED[type(op)](a, b) for op, a, b in zip(node.ops, sides, sides[1:]))

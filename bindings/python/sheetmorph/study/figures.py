@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Figures that a report knows, by the names that measures and criteria use."""
+"""Figures of a report, by the names in measures and criteria."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ..report import part_report, rigidity
 from ..thin import new_crossings
 from .gaps import touching
 
-# Worst is the smallest of these, the largest of all others.
+# For these the worst value is the smallest; for all others it is the largest.
 _SMALLEST = {"angle"}
 _SUMS = {"flipped", "crossings"}
 
@@ -29,13 +29,11 @@ _OF_PART: dict[str, Callable[[dict[str, Any]], Any]] = {
     "displacement": lambda part: part["largest_displacement"],
     "thickness change": lambda part: (part["thin"] or {}).get("largest_change"),
 }
-# Those that positions alone decide.
-OF_POSITIONS = ("angle", "aspect", "flipped", "stretch", "fold", "displacement")
 FIGURES = (*_OF_PART, "gap change", "edge error", "crossings", "touching", "warnings")
 
 
 def live_report(result: Answer) -> dict[str, Any]:
-    """What a report tells of parts, of an answer that is not exact."""
+    """Return the part entries of a report for an answer that is not exact."""
     return {
         "parts": [part_report(result, name, None, True) for name in result.session.parts],
         "features": [],
@@ -52,7 +50,7 @@ class Figures:
         self._result, self._report = result, report
 
     def figure(self, name: str, part: str = "") -> float | None:
-        """A figure of a part, of all if none is named; None if nothing has it."""
+        """Return a figure of a part, or of all parts by default; None if it is not available."""
         numbers = [number for number in self._numbers(name, part) if number is not None]
         if name in _SUMS:
             return float(sum(numbers))
@@ -78,7 +76,7 @@ class Figures:
 
     @cached_property
     def _touching(self) -> int:
-        """Pairs of triangles of different parts that meet, beyond those that do at rest."""
+        """Number of triangle pairs of different parts that intersect, beyond those at rest."""
         positions, meshes = self._result.positions, self._result.session.meshes
         found = 0
         for one, other in _near(positions):
@@ -91,7 +89,7 @@ class Figures:
 
 
 def _near(positions: Mapping[str, Floats]) -> Iterator[tuple[str, str]]:
-    """The pairs of parts whose boxes meet."""
+    """Yield the pairs of parts whose boxes overlap."""
     boxes = {name: (at.min(axis=0), at.max(axis=0)) for name, at in positions.items()}
     for one, other in itertools.combinations(boxes, 2):
         low, high = (np.stack([boxes[name][k] for name in (one, other)]) for k in (0, 1))

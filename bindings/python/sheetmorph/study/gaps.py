@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How near two parts come to each other, and whether they touch."""
+"""Smallest distance of two parts, and whether they touch."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..gaps import Surface
 from ..kernel import load_kernel
 from ..part_mesh import PartMesh
 
-# So many vertices are measured before the next ones may be too far to matter.
+# Vertices to measure before the next check whether the others are too far away.
 _AT_ONCE = 1000
 
 
@@ -23,9 +23,9 @@ class Gap:
         self._triangles = a.triangles, b.triangles
 
     def smallest(self, a: Floats, b: Floats) -> float:
-        """The smallest distance of a vertex of one part from the other, mm; 0 where they touch.
+        """Return the smallest distance of a vertex of one part from the other, mm; 0 if they touch.
 
-        a, b: positions (n, 3), mm.
+        a and b are positions (n, 3), mm.
         """
         if touching(a, self._triangles[0], b, self._triangles[1]):
             return 0.0
@@ -34,10 +34,10 @@ class Gap:
 
 
 def _least(one: Surface, other: Surface) -> float:
-    """The smallest distance of a vertex of a surface from another one, mm."""
+    """Return the smallest distance of a vertex of a surface from another surface, mm."""
     used = one.places[np.unique(one.triangles)]
     low, high = other.places.min(axis=0), other.places.max(axis=0)
-    # The nearest by their distance from the other's box first; the rest cannot be nearer.
+    # Vertices are sorted by their distance from the other box, which is a lower bound.
     boxed = np.linalg.norm(np.maximum(0.0, np.maximum(low - used, used - high)), axis=1)
     order, best = np.argsort(boxed, kind="stable"), math.inf
     for first in range(0, len(order), _AT_ONCE):
@@ -49,7 +49,7 @@ def _least(one: Surface, other: Surface) -> float:
 
 
 def touching(a: Floats, of_a: Ints, b: Floats, of_b: Ints) -> int:
-    """How many pairs of triangles of two parts meet; positions (n, 3), triangles (m, 3) of each."""
+    """Count the intersecting triangle pairs of two parts: positions (n, 3), triangles (m, 3)."""
     margin = np.minimum(a.max(axis=0), b.max(axis=0)) - np.maximum(a.min(axis=0), b.min(axis=0))
     if (margin < 0.0).any():
         return 0
@@ -65,7 +65,7 @@ def touching(a: Floats, of_a: Ints, b: Floats, of_b: Ints) -> int:
 
 
 def _inside(points: Floats, rows: Ints, low: Floats, high: Floats) -> Floats:
-    """The triangles whose box meets a box."""
+    """Return the triangles whose box overlaps a box."""
     corners = points[rows]
     meets = (corners.max(axis=1) >= low) & (corners.min(axis=1) <= high)
     found: Floats = rows[meets.all(axis=1)].astype(np.int64)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Who works on what in the folder of a study: locks that end with their process."""
+"""Locks in the folder of a study that state which process works on what; they end with it."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from types import TracebackType
 from ..errors import Fault, FileError, RecipeError
 from .locking import NEVER_WAIT, NOT_INHERITED, removes_open_files, try_lock
 
-# Seconds for which a job of a batch system waits until the call that started it is done.
+# Seconds for which a batch job waits for the call that started it.
 _PATIENCE = 60.0
-# Seconds after which a folder without a lease, as older versions made them, is nobody's.
+# Seconds after which a folder without a lease, from an older version, counts as abandoned.
 _LONG_AGO = 3600.0
 LOCK = ".lock"
 
 
 class Lease:
-    """A file that this process has locked as long as the ``with`` block lasts."""
+    """A file that this process locks for the duration of the ``with`` block."""
 
     def __init__(self, place: Path):
         self._place, self._file = place, -1
@@ -47,7 +47,7 @@ class Lease:
 
 
 def is_abandoned(lease: Path, folder: Path) -> bool:
-    """Whether nobody works on a folder any more: the process that held its lease has ended."""
+    """Return whether the process with the lease of a folder has ended."""
     try:
         file = os.open(lease, os.O_RDWR | NOT_INHERITED)
     except FileNotFoundError:
@@ -65,7 +65,7 @@ def is_abandoned(lease: Path, folder: Path) -> bool:
 
 @contextmanager
 def alone(out: Path) -> Iterator[None]:
-    """Raises RecipeError where another call computes a study, or some of its runs, in a folder."""
+    """Lock a folder exclusively. Raises RecipeError if another call computes a study in it."""
     with _opened(out) as file:
         if not try_lock(file):
             raise _busy(out)
@@ -74,8 +74,10 @@ def alone(out: Path) -> Iterator[None]:
 
 @contextmanager
 def among_others(out: Path) -> Iterator[None]:
-    """For calls that compute some of the runs each. Raises RecipeError where a call that computes
-    all of them goes on for long."""
+    """Lock a folder for a call that computes some of the runs.
+
+    Raises RecipeError if a call that computes all runs has the lock for too long.
+    """
     with _opened(out) as file:
         deadline = time.monotonic() + _PATIENCE
         while not try_lock(file, shared=True):
@@ -88,7 +90,7 @@ def among_others(out: Path) -> Iterator[None]:
 @contextmanager
 def _opened(out: Path) -> Iterator[int]:
     place = out / LOCK
-    # A pipe without a reader must not make it wait.
+    # Opening a pipe without a reader must not block.
     file = os.open(place, os.O_RDWR | os.O_CREAT | NOT_INHERITED | NEVER_WAIT, 0o666)
     try:
         if not stat.S_ISREG(os.fstat(file).st_mode):

@@ -14,21 +14,21 @@ except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
     msvcrt: Any = import_module("msvcrt")
 
-# Windows locks bytes, which need not exist, for one process alone. A shared lock takes any of these
-# bytes, an exclusive one all of them.
+# Windows locks bytes, which need not exist, exclusively for one process. A shared lock takes any
+# one of these bytes, an exclusive lock all of them.
 _BYTES = 1024
 _TAKEN = (errno.EAGAIN, errno.EACCES, errno.EDEADLK)
-# Windows removes no open file; elsewhere nobody can open what is removed before it is closed.
+# Windows cannot remove an open file. Elsewhere a removed file cannot be opened again.
 removes_open_files = fcntl is not None
-# Names that Windows does not have.
+# Flags that Windows does not have.
 NEVER_WAIT = getattr(os, "O_NONBLOCK", 0)
 NOT_INHERITED = getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_NOINHERIT", 0)
 
 
 def try_lock(file: int, shared: bool = False) -> bool:
-    """Lock an open file until it is closed; return False where another process has locked it.
+    """Lock an open file until it is closed; return False if another process has locked it.
 
-    Where locks do not exist, only a shared lock succeeds: nobody is known to have another one.
+    Without support for locks only a shared lock succeeds.
     """
     try:
         if fcntl is not None:
@@ -41,7 +41,7 @@ def try_lock(file: int, shared: bool = False) -> bool:
 
 
 def _lock_bytes(file: int, shared: bool) -> None:
-    """Raise OSError if the bytes are locked already."""
+    """Lock one byte or all bytes; raise OSError if they are locked already."""
     for first in range(_BYTES if shared else 1):
         os.lseek(file, first, os.SEEK_SET)
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a study measures of every variant, in the exact positions, mm."""
+"""Measures of every variant, taken at exact positions, mm."""
 
 from __future__ import annotations
 
@@ -34,8 +34,11 @@ Numbers = dict[str, float | None]
 
 
 class Scene:
-    """One variant: positions (n, 3) by part, mm; values of parameters and measures so far; figures:
-    what the certificate knows, by name and part ("" for all)."""
+    """One variant.
+
+    positions (n, 3) are by part, mm. values has parameters and the measures so far. figure returns
+    a figure of the certificate by name and part ("" for all).
+    """
 
     def __init__(
         self,
@@ -52,7 +55,7 @@ Measured = Callable[[Scene], Numbers]
 
 
 class Measures:
-    """The measures of a study, made ready for many variants. Raises RecipeError."""
+    """The measures of a study, prepared for many variants. Raises RecipeError."""
 
     def __init__(self, study: Study, model: Model, meshes: Mapping[str, PartMesh]):
         self._makers = _Makers(study, model, meshes)
@@ -60,7 +63,7 @@ class Measures:
         self.columns = self._makers.columns
 
     def taken(self, scene: Scene) -> Numbers:
-        """The measures of a variant by column; None where there is nothing to measure."""
+        """Return the measures of a variant by column; None if there is nothing to measure."""
         found: Numbers = {}
         for way in self._ways:
             numbers = {name: _finite(value) for name, value in way(scene).items()}
@@ -74,14 +77,14 @@ def _finite(value: float | None) -> float | None:
 
 
 class _Makers:
-    """Makes a way of measuring from each entry of `measure`; columns: the names so far."""
+    """Builder of a measuring function for each entry of `measure`; columns has the names so far."""
 
     def __init__(self, study: Study, model: Model, meshes: Mapping[str, PartMesh]):
         self._study, self._model, self._meshes = study, model, meshes
         self.columns: list[str] = []
 
     def way(self, name: str, entry: dict[str, Any]) -> Measured:
-        """How a measure is taken. Raises RecipeError."""
+        """Return the function that takes a measure. Raises RecipeError."""
         where = f"{self._study.path}, measure.{name}"
         kinds = [key for key in _KINDS if key in entry]
         if len(kinds) != 1:
@@ -188,7 +191,7 @@ def _formula(name: str, formula: Expression, scene: Scene) -> Numbers:
 
 
 def _rim(mesh: PartMesh, vertices: Ints) -> Ints:
-    """The rim of a hole among the vertices of a form feature; all of them where there is none."""
+    """Return the rim of a hole among the vertices of a form feature, or all vertices."""
     core = load_kernel()
     inside = set(vertices.tolist())
     loops = core.boundary_loops(core.TriangleMesh(mesh.points, mesh.triangles))

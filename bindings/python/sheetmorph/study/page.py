@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page of a study: table, parallel coordinates, scatter plots, thumbnails; one offline file."""
+"""The page of a study in one offline file: table, plots and thumbnails."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from typing import Any
 
 from .rows import PICTURE, folder_name
 
-# Thumbnails a page holds; of more variants it shows some, evenly chosen.
+# Largest number of thumbnails; of more variants an even selection is shown.
 _MOST_THUMBNAILS = 300
 
 
 def page_of(summary: dict[str, Any], out: Path) -> str:
-    """The page as text; pictures are taken from the folders of the variants."""
+    """Return the page as text; pictures come from the folders of the variants."""
     text = resources.files("sheetmorph.study").joinpath("page.html").read_text("utf-8")
     runs = [run["run"] for run in summary["runs"]]
     step = max(1, -(-len(runs) // _MOST_THUMBNAILS))
@@ -30,5 +30,5 @@ def page_of(summary: dict[str, Any], out: Path) -> str:
 def _picture(path: Path) -> str:
     try:
         return base64.b64encode(path.read_bytes()).decode("ascii")
-    except OSError:  # not asked for, or the variant has none
+    except OSError:  # not requested, or missing
         return ""

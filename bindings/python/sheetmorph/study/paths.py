@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The path of a number in a recipe: `pose.tip.translation[2]`, `features."a.b".size`."""
+"""Paths to numbers in a recipe: `pose.tip.translation[2]`, `features."a.b".size`."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from ..errors import Fault, RecipeError
 
 Step = str | int
 _STEP = re.compile(r'\[(\d+)\]|\[?"((?:[^"\\]|\\.)+)"\]?|([^.\[\]"]+)')
-# What a pose leaves out is no motion; other numbers have to stand in the recipe.
+# A missing entry of a pose means no motion; other numbers must exist in the recipe.
 _NO_MOTION = {"translation": (0.0, 0.0, 0.0)}
 _SHOWN = 6
 
 
 def steps_of(path: str, where: str) -> list[Step]:
-    """The steps of a path: keys and names as text, places in lists as numbers.
+    """Return the steps of a path: keys and names as text, list positions as numbers.
 
     Raises RecipeError.
     """
@@ -38,7 +38,7 @@ def steps_of(path: str, where: str) -> list[Step]:
 
 
 def value_at(recipe: Any, steps: Sequence[Step]) -> Any:
-    """What stands at a path, None if nothing does."""
+    """Return the value at a path, or None."""
     for step in steps:
         key = _key(recipe, step)
         if key is None:
@@ -50,16 +50,16 @@ def value_at(recipe: Any, steps: Sequence[Step]) -> Any:
 def with_value(
     recipe: dict[str, Any], steps: Sequence[Step], value: Any, where: str
 ) -> dict[str, Any]:
-    """The recipe with another value at a path; only what lies on the path is copied.
+    """Return the recipe with another value at a path; only nodes on the path are copied.
 
-    Motions of a pose that the recipe leaves out are begun. Raises RecipeError.
+    Missing motions of a pose are added. Raises RecipeError.
     """
     found: dict[str, Any] = _with(recipe, list(steps), value, _Trail(where, list(steps)))
     return found
 
 
 class _Trail:
-    """For messages: the parameter, and the whole path."""
+    """The parameter and the whole path, for messages."""
 
     def __init__(self, where: str, steps: list[Step]):
         self.where, self.steps = where, steps
@@ -86,12 +86,12 @@ def _with(node: Any, left: list[Step], value: Any, trail: _Trail) -> Any:
 
 
 def _may_begin(steps: list[Step], depth: int) -> bool:
-    """Whether a key may be missing: of a pose, and the last one, which the schema judges."""
+    """Return whether a key may be missing: in a pose, or at the end, where the schema checks it."""
     return steps[0] == "pose" or depth == len(steps) - 1
 
 
 def _key(node: Any, step: Step) -> Any:
-    """The key or place in a node that a step means, None if there is none."""
+    """Return the key or index of a step in a node, or None."""
     if isinstance(node, dict):
         return step if step in node else None
     if not isinstance(node, list):

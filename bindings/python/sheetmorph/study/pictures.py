@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A small picture of a variant: its parts in their own colours, seen from the same place always."""
+"""A small picture of a variant, with fixed colours of the parts and a fixed view."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from ..arrays import Codes, Floats, Ints
 
 _WIDTH, _HEIGHT = 192, 144
 _MARGIN = 8
-# Where from: azimuth and elevation, radians.
+# Azimuth and elevation of the view, radians.
 _AZIMUTH, _ELEVATION = np.radians(-55.0), np.radians(28.0)
 _COLOURS = np.array(
     [[110, 150, 190], [205, 140, 90], [120, 170, 120], [180, 120, 160], [150, 150, 110],
      [100, 165, 175], [190, 110, 105], [140, 130, 190]], float,
 )  # fmt: skip
-# Places on every triangle: enough that one of 12 px has no hole.
+# Sample points along a triangle edge; a triangle of 12 px then has no gaps.
 _FINE = 14
 
 
 def picture_of(result: Answer) -> bytes:
-    """A PNG of all parts of a result, in the frame of their rest shape."""
+    """Return a PNG of all parts of a result, in the frame of their rest shape."""
     session = result.session
     rest = np.concatenate([mesh.points for mesh in session.meshes.values()])
     view = _View(np.concatenate([rest, *result.positions.values()]))
@@ -34,7 +34,7 @@ def picture_of(result: Answer) -> bytes:
 
 
 class _View:
-    """A parallel projection that shows some points (n, 3)."""
+    """A parallel projection that shows all given points (n, 3)."""
 
     def __init__(self, points: Floats):
         ca, sa, ce, se = *_turn(_AZIMUTH), *_turn(_ELEVATION)
@@ -72,7 +72,7 @@ class _View:
 
 
 def _places() -> Floats:
-    """Barycentric coordinates (s, 3) of places spread over a triangle."""
+    """Return barycentric coordinates (s, 3) of sample points in a triangle."""
     steps = [(i, j) for i in range(_FINE + 1) for j in range(_FINE + 1 - i)]
     inner = np.array([(i, j, _FINE - i - j) for i, j in steps], float)
     return inner / _FINE
@@ -83,7 +83,7 @@ def _turn(angle: float) -> tuple[float, float]:
 
 
 def png(pixels: Codes) -> bytes:
-    """A PNG of pixels (height, width, 3) uint8."""
+    """Encode pixels (height, width, 3) uint8 as PNG."""
     height, width, _ = pixels.shape
     rows = np.concatenate([np.zeros((height, 1), np.uint8), pixels.reshape(height, -1)], axis=1)
     head = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)

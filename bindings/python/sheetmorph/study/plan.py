@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a study is about to do: its samples, and of each the hash of all that it depends on."""
+"""The plan of a study: its samples, and a hash of everything that each depends on."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ from .spots import spot_of
 from .variants import Changes, Variant
 
 _FORMAT = 2
-# Samples of which one at least must be sound in form.
+# Number of samples to check; at least one must be valid.
 _TRIED = 8
 
 
 class Plan:
-    """A study with its recipe and parts read. Raises RecipeError, FileError.
+    """A study with its recipe and parts. Raises RecipeError, FileError.
 
-    samples: the values of every variant, in the order of their runs.
+    samples has the parameter values of every variant, in the order of the runs.
     """
 
     def __init__(self, path: str | Path, progress: Progress | None = None):
@@ -68,26 +68,28 @@ class Plan:
 
     @property
     def columns(self) -> list[str]:
-        """The names of the measures, column by column."""
+        """Names of the measures, by column."""
         return self.measures.columns
 
     def variant(self, values: Values) -> Variant:
-        """The recipe of these values. Raises RecipeError."""
+        """Return the recipe for parameter values. Raises RecipeError."""
         return self.changes.variant(values)
 
     def refusal(self, values: Values) -> str:
-        """Why a sample is not computed at all; empty if it is."""
+        """Return why a sample is not computed, or an empty text."""
         return out_of_range(self.study, values)
 
     def hash_of(self, values: Values, refusal: str = "") -> str:
-        """What all files of a variant depend on, as one number in hex; refusal: why it is not
-        computed, if it is not."""
+        """Return a hash of everything that the files of a variant depend on, in hex.
+
+        refusal is the reason why it is not computed, if any.
+        """
         told = [refusal] if refusal else []
         return _digest([self._common, [values[name] for name in self.study.names], *told])
 
     @property
     def range_hash(self) -> str:
-        """What the range that is possible depends on, as one number in hex."""
+        """Hash of everything that the admissible range depends on, in hex."""
         study = self.study
         limits = [[entry.low, entry.high, entry.values] for entry in study.parameters]
         constraints = [entry.text for entry in study.constraints]
@@ -99,7 +101,7 @@ class Plan:
         return spot_of(told, self.model, self.parts.meshes, where).at(rest)
 
     def _check_first(self) -> None:
-        """Tells at once what is wrong with all variants, as a parameter of no handle."""
+        """Report faults of all variants early, such as a parameter for a missing handle."""
         feasible = [values for values in self.samples if not self.refusal(values)]
         wrong: list[RecipeError] = []
         tried = feasible[:: max(1, len(feasible) // _TRIED)]
@@ -125,13 +127,13 @@ class Plan:
         limits = [[entry.low, entry.high, entry.values] for entry in study.parameters]
         constraints = [entry.text for entry in study.constraints]
         asked = [study.measure, study.criteria, study.write, asdict(study.certify)]
-        # Where a range or a constraint refuses nothing, what is computed does not depend on it.
+        # If range and constraints refuse no sample, the results do not depend on them.
         refuses = any(map(self.refusal, self.samples))
         told = [limits, constraints] if refuses else []
         return [*self._inputs(), asked, told]
 
     def _inputs(self) -> list[Any]:
-        """The recipe with its files, and what the parameters do to it."""
+        """Return the recipe with its files, and the effect of the parameters on it."""
         files = {
             source.file.origin.name: [*map(_digest_of_file, source.file.files_read)]
             for source in self.parts.sources
@@ -141,7 +143,7 @@ class Plan:
 
 
 def _version() -> str:
-    # Imported here: the package is not complete when this is read.
+    # Imported here, because the package is still incomplete at import time.
     from .. import __version__
 
     return __version__

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far parameters may go until the first criterion breaks: each alone, and two at a time."""
+"""Admissible ranges of parameters until the first criterion fails, singly and in pairs."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from .sampling import Values
 from .working import Workshop
 
 FILE = "range.json"
-# Places looked at from the start to the end of a range, before one is halved.
+# Steps along a range before the bisection.
 _STEPS = 12
-# Of the range: how near the limit is found.
+# Accuracy of a limit, as a share of the range.
 _FINE = 1e-4
 
 Verdict = Callable[[float, bool], str]
@@ -28,15 +28,20 @@ Verdict = Callable[[float, bool], str]
 
 @dataclass(frozen=True)
 class Limit:
-    """The last share of a way, from 0 to 1, that is possible; why: what breaks just behind it,
-    empty if nothing does."""
+    """The largest admissible share of a way, from 0 to 1.
+
+    why names the criterion that fails beyond it, or is empty.
+    """
 
     share: float
     why: str = ""
 
 
 def possible_ranges(plan: Plan, progress: Progress | None = None) -> dict[str, Any]:
-    """What range.json holds. Raises RecipeError if the study's start is not possible itself."""
+    """Return the content of range.json.
+
+    Raises RecipeError if the start itself is not admissible.
+    """
     shop = Workshop(plan)
     moving = [
         entry for entry in plan.study.parameters if not entry.values and entry.low < entry.high
@@ -65,7 +70,7 @@ def _along(shop: Workshop, start: Values, ends: Mapping[str, float]) -> Limit:
 
 
 def limit_of(verdict: Verdict) -> Limit:
-    """The limit of a way: found on live answers, confirmed on exact ones on both sides of it."""
+    """Return the limit of a way, found with live answers and confirmed with exact ones."""
     near = searched(lambda share: verdict(share, False), 0.0, 1.0)
     low = max(0.0, near.share - _FINE)
     high = min(1.0, near.share + 2.0 * _FINE)
@@ -80,7 +85,7 @@ def _exactly(verdict: Verdict, low: float, high: float) -> Limit:
 
 
 def searched(verdict: Callable[[float], str], low: float = 0.0, high: float = 1.0) -> Limit:
-    """Step by step to the first place that is not possible, then by halves; low is possible."""
+    """Search in steps for the first failing share, then bisect; low is admissible."""
     steps = max(1, math.ceil(_STEPS * (high - low)))
     possible, why = low, ""
     for k in range(1, steps + 1):
@@ -103,7 +108,7 @@ def searched(verdict: Callable[[float], str], low: float = 0.0, high: float = 1.
 
 
 def _ways(moving: list[Parameter]) -> list[dict[str, int]]:
-    """Every parameter alone down and up; then two at a time, in the four directions between."""
+    """Return each parameter alone, down and up, then each pair in the four diagonal directions."""
     alone = [{entry.name: sign} for entry in moving for sign in (-1, 1)]
     between = [
         {one.name: a, other.name: b}
@@ -115,7 +120,7 @@ def _ways(moving: list[Parameter]) -> list[dict[str, int]]:
 
 
 def _start(entry: Parameter, plan: Plan) -> float:
-    """The recipe's own value where it is one of the study's; else the one in the middle."""
+    """Return the recipe's own value if the study admits it, else the central value."""
     own = 0.0 if entry.direction or entry.blend else value_at(plan.recipe, entry.steps or ("",))
     own = own if isinstance(own, (int, float)) and not isinstance(own, bool) else None
     if own is None and entry.steps[:1] == ("pose",) and entry.distance_from is None:
@@ -133,7 +138,7 @@ def _end(entry: Parameter, sign: int) -> float:
 
 
 def _between(start: Values, ends: Mapping[str, float], share: float) -> Values:
-    """The values at a share of the way; at its end they are those of the end to the bit."""
+    """Return the values at a share of the way; at share 1 exactly those of its end."""
     if share >= 1.0:
         return {**start, **ends}
     moved = {name: start[name] + share * (end - start[name]) for name, end in ends.items()}

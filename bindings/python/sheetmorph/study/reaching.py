@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far one number of a pose may go, on live answers alone: for marks while it is dragged."""
+"""Admissible range of one number of a pose from live answers, for marks during a drag."""
 
 from __future__ import annotations
 
@@ -16,21 +16,25 @@ Criteria = Mapping[str, Mapping[str, float]]
 
 
 class _Stopped(Exception):
-    """Nobody waits for it any more."""
+    """Nobody waits for the result."""
 
 
 @dataclass(frozen=True)
 class Reach:
-    """Asks how far a number may go. answered: the live answer for a value; criteria: as a study has
-    them; goes_on: whether somebody still waits."""
+    """A search for the admissible range of a number.
+
+    answered returns the live answer for a value. criteria are those of a study. goes_on returns
+    whether the result is still needed.
+    """
 
     answered: Callable[[float], Result]
     criteria: Criteria
     goes_on: Callable[[], bool]
 
     def limits(self, ends: tuple[float, float]) -> list[Limit] | None:
-        """How far it may go from 0 to both ends, as shares of the ways; none if 0 itself is not
-        possible. None as soon as nobody waits.
+        """Return the limits from 0 to both ends, as shares of the ways.
+
+        The list is empty if 0 itself is not admissible. The result is None if nobody waits for it.
         """
         try:
             if self._why(0.0):
@@ -43,15 +47,17 @@ class Reach:
         return searched(lambda share: self._why(share * end))
 
     def _why(self, value: float) -> str:
-        """What breaks at a value, with the name of the first criterion as its code; empty if
-        nothing does. What only exact answers measure is not asked for."""
+        """Return the failures at a value, with the first criterion as their code, or an empty text.
+
+        Criteria that need an exact answer are skipped.
+        """
         if not self.goes_on():
             raise _Stopped
         try:
             result = self.answered(value)
         except RecipeError as error:
             return "; ".join(map(str, error.faults))
-        except RuntimeError as error:  # the solver gave up
+        except RuntimeError as error:  # the solve failed
             return " ".join(str(error).split())
         figures = Figures(result, live_report(result))
         asked = {name: limits for name, limits in self.criteria.items() if name in FIGURES}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The study file: read, checked against its schema, as typed entries."""
+"""The study file: read, checked against its schema, and converted to typed entries."""
 
 from __future__ import annotations
 
@@ -23,12 +23,20 @@ _RANDOM = METHODS[1:4]
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number that the study changes.
+    """A number that the study varies.
 
-    steps: its place in the recipe, none for one that only formulas and measures use; low, high: its
-    range; values: the list, empty if it has a range; count: of places of a full grid, 0 if not
-    told; direction, distance_from, blend: what the number means where it is not the one at `steps`
-    itself.
+    Attributes
+    ----------
+    steps : tuple
+        Path in the recipe; empty if only formulas and measures use the parameter.
+    low, high : float
+        Range.
+    values : tuple of float
+        Values in place of a range.
+    count : int
+        Points of a full grid; 0 if not given.
+    direction, distance_from, blend
+        Meaning of the number, if it is not the value at the path.
     """
 
     name: str
@@ -43,18 +51,18 @@ class Parameter:
 
     @property
     def where(self) -> str:
-        """Its place in the study, for messages."""
+        """Place in the study, for messages."""
         return f"parameters.{self.name}"
 
     def meaning(self) -> list[Any]:
-        """What a value of it does, as JSON: what a variant depends on besides the value."""
+        """Return the effect of a value as JSON; a variant depends on it besides the value."""
         moved = [self.direction, self.distance_from, self.blend]
         return [self.name, list(self.steps), *moved]
 
 
 @dataclass(frozen=True)
 class Sampling:
-    """method; count: of variants, 0 if not told; seed; file: of samples that someone else made."""
+    """The sampling: method, count of variants or 0, seed, and a file with given samples."""
 
     method: str = "full grid"
     count: int = 0
@@ -64,7 +72,7 @@ class Sampling:
 
 @dataclass(frozen=True)
 class Study:
-    """A study file of sound form. path, recipe: of the files; data: the study as it was read."""
+    """A study file of checked form; path and recipe are file paths."""
 
     path: Path
     recipe: Path
@@ -78,24 +86,24 @@ class Study:
 
     @property
     def names(self) -> list[str]:
-        """The names of the parameters."""
+        """Names of the parameters."""
         return [parameter.name for parameter in self.parameters]
 
     def parameter(self, name: str) -> Parameter:
-        """The parameter of a name."""
+        """Return the parameter with a name."""
         return next(entry for entry in self.parameters if entry.name == name)
 
 
 @cache
 def study_schema() -> dict[str, Any]:
-    """The published JSON Schema of the study."""
+    """Return the published JSON Schema of the study."""
     text = resources.files("sheetmorph").joinpath("study.schema.json").read_text("utf-8")
     found: dict[str, Any] = json.loads(text)
     return found
 
 
 def read_study(path: str | Path) -> Study:
-    """The study in a file. Raises RecipeError that tells everything that is wrong with its form."""
+    """Read a study file. Raises RecipeError with all faults of its form."""
     place = Path(path)
     data = read_json(place)
     with named_in(place):
@@ -126,8 +134,7 @@ def _study(path: Path, data: Any) -> Study:
 
 
 def _certify(folder: Path, told: str | None) -> Criteria:
-    """What certificates judge elements and contacts by; triangles that turn over are judged by the
-    study's own criteria."""
+    """Return the criteria for elements and contacts; the study itself judges flipped triangles."""
     if told is None:
         return replace(Study.certify, flipped=False)
     found = read_criteria(told if told in shipped() else folder / told)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Samples beyond the range that was found possible: they are refused before they cost anything."""
+"""Refusal of samples beyond the admissible range, before any computation."""
 
 from __future__ import annotations
 
@@ -14,10 +14,9 @@ from .sampling import Values
 
 
 class Refusals:
-    """What range.json in a folder forbids, if it is of the same study; else nothing.
+    """The limits of range.json in a folder, if they belong to the same study.
 
-    What lies beyond a limit is taken for impossible as well: beyond that of one parameter, or of
-    two that go together, in both of them.
+    A sample is refused if it exceeds the limit of a parameter, or both limits of a pair.
     """
 
     def __init__(self, plan: Plan, out: Path):
@@ -27,7 +26,7 @@ class Refusals:
         self._limits = _limits(found) if is_mine else []
 
     def why(self, values: Values) -> str:
-        """Why a sample is not computed; empty if it may be."""
+        """Return why a sample is not computed, or an empty text."""
         for limit, towards, why in self._limits:
             if all(self._is_beyond(name, values[name], limit, towards) for name in limit):
                 told = ", ".join(f"{name} = {values[name]:.6g}" for name in limit)
@@ -41,7 +40,7 @@ class Refusals:
 
 
 def _limits(found: dict[str, Any]) -> list[tuple[Values, Values, str]]:
-    """Every limit behind which something breaks, towards what, and why."""
+    """Return every limit beyond which a criterion fails, with its direction and reason."""
     alone = [
         ({name: entry[side]}, {name: entry["range"][end]}, entry[f"{side}_why"])
         for name, entry in found["parameters"].items()
@@ -52,7 +51,7 @@ def _limits(found: dict[str, Any]) -> list[tuple[Values, Values, str]]:
 
 
 def _read(path: Path) -> dict[str, Any]:
-    """What a range.json says; nothing if there is none, or it cannot be understood."""
+    """Return the content of a range.json; an empty dict if it is missing or invalid."""
     try:
         found = json.loads(read_text(path))
     except (OSError, ValueError):

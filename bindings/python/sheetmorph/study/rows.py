@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One variant as a row of the table, kept in its folder as `parameters.json`."""
+"""One variant as a row of the table, stored in its folder as `parameters.json`."""
 
 from __future__ import annotations
 
@@ -18,8 +18,11 @@ PICTURE = "picture.png"
 
 @dataclass(frozen=True)
 class Row:
-    """hash: of what it depends on; status: one of STATUSES; why: empty if it passed; files: the
-    other files of its folder and their sizes, none of folders that older versions wrote."""
+    """A row of the table.
+
+    hash identifies its inputs. status is one of STATUSES. why is empty if it passed. files maps the
+    other files of its folder to their sizes, and is empty in folders of older versions.
+    """
 
     hash: str
     parameters: dict[str, float]
@@ -29,7 +32,7 @@ class Row:
     files: dict[str, int] = field(default_factory=dict, compare=False)
 
     def to_json(self) -> dict[str, Any]:
-        """What parameters.json holds."""
+        """Return the content of parameters.json."""
         return {
             "sheetmorph_variant": 1,
             "hash": self.hash,
@@ -41,12 +44,12 @@ class Row:
 
 
 def folder_name(run: int) -> str:
-    """`000123`"""
+    """Return the folder name of a run, such as `000123`."""
     return f"{run:06d}"
 
 
 def read_row(folder: Path) -> Row | None:
-    """The row that a folder of a variant holds; None if it holds none."""
+    """Return the row in the folder of a variant, or None."""
     try:
         found = json.loads(read_text(folder / FILE))
         return Row(

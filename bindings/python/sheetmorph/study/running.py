@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A study from its file to a folder of certified variants and a table of them."""
+"""A study from its file to a folder of certified variants and their table."""
 
 from __future__ import annotations
 
@@ -31,14 +31,26 @@ from .working import Cost, Task, Workshop, adopt, work
 
 ENGINES = ("local", "processes", "dask", "slurm", "snakemake")
 COSTS = "costs.json"
-# Array jobs of a batch system where nobody says how many.
+# Default number of array jobs in a batch system.
 _JOBS = 16
 
 
 @dataclass(frozen=True)
 class Ways:
-    """How a study is computed. engine: one of ENGINES; workers: how many, 0 for the engine's own
-    choice; scheduler: address of a Dask scheduler; runs: the first and the last run, None for all.
+    """The way a study is computed.
+
+    Parameters
+    ----------
+    engine : str
+        One of ENGINES.
+    workers : int
+        Number of workers; 0 lets the engine choose.
+    scheduler : str, optional
+        Address of a Dask scheduler.
+    runs : tuple of int, optional
+        First and last run; all by default.
+    progress : callable, optional
+        progress(fraction, task) returns whether to continue.
     """
 
     engine: str = "local"
@@ -49,10 +61,10 @@ class Ways:
 
 
 def run_study(path: str | Path, out: str | Path, ways: Ways | None = None) -> list[str]:
-    """Compute the variants of a study into a folder; returns what to tell, a sentence each.
+    """Compute the variants of a study into a folder and return sentences to print.
 
-    What is there already, and depends on nothing that has changed, stays. Raises RecipeError,
-    FileError, KernelError, OSError.
+    Finished variants with unchanged inputs stay. Raises RecipeError, FileError, KernelError,
+    OSError.
     """
     ways = ways or Ways()
     plan = Plan(path, ways.progress)
@@ -73,7 +85,7 @@ def run_study(path: str | Path, out: str | Path, ways: Ways | None = None) -> li
 
 
 def study_range(path: str | Path, out: str | Path, progress: Progress | None = None) -> list[str]:
-    """Find how far the parameters may go, and write it; returns what to tell, a sentence each.
+    """Find and write the admissible ranges of the parameters; return sentences to print.
 
     Raises RecipeError, FileError, KernelError, OSError.
     """
@@ -99,7 +111,7 @@ def _range_sentence(name: str, entry: dict[str, Any]) -> str:
 
 
 class _Run:
-    """One call for one study; hashes: of its variants, by run."""
+    """One call for one study; hashes has those of its variants, by run."""
 
     def __init__(self, plan: Plan, store: Store, ways: Ways):
         self._plan, self._store, self._ways = plan, store, ways
@@ -113,7 +125,7 @@ class _Run:
         self._total = 0
 
     def some(self, first: int, last: int) -> list[str]:
-        """Compute some of the runs, without a table: others are at work on the others."""
+        """Compute some of the runs without a table, because other processes compute the others."""
         runs = range(first, min(last, len(self.hashes) - 1) + 1)
         self._compute(runs)
         return [
@@ -122,7 +134,7 @@ class _Run:
         ]
 
     def all(self) -> list[str]:
-        """Compute what is missing and write the table."""
+        """Compute the missing runs and write the table."""
         begin = time.perf_counter()
         try:
             self._compute(range(len(self.hashes)))
@@ -172,7 +184,7 @@ class _Run:
                 self._finished(task, work(task))
 
     def _take(self, run: int) -> bool:
-        """Whether a variant is done; then its row is taken over."""
+        """Return whether a variant is finished, and store its row if so."""
         row = self._store.row(run, self.hashes[run])
         if row is None or row.status == ERROR:
             return False
@@ -208,7 +220,7 @@ class _Run:
             raise KeyboardInterrupt
 
     def _costs_of(self, seconds: float) -> dict[str, Any]:
-        """What this call took; of all files of a study the one that differs from call to call."""
+        """Return the costs of this call, the only result of a study that varies between calls."""
         spent = sum(cost.seconds for cost in self._costs)
         kernel = sum(cost.kernel for cost in self._costs)
         return {
@@ -236,7 +248,7 @@ def _sentence(out: Path, summary: dict[str, Any], costs: dict[str, Any]) -> str:
 
 
 def _require_apart(plan: Plan, out: Path) -> None:
-    """The results must not stand among what is read. Raises RecipeError."""
+    """Check that results are not written beside the inputs. Raises RecipeError."""
     read = [plan.study.path, plan.study.recipe, *(s.file.origin for s in plan.parts.sources)]
     if out.resolve() in [path.parent.resolve() for path in read]:
         what = f"{out} is the folder of the study, its recipe or a part"

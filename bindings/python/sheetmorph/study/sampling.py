@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which values the parameters of every variant have; the same study has the same ones anywhere."""
+"""Reproducible parameter values of the variants of a study."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Values = dict[str, float]
 
 
 def samples_of(study: Study) -> list[Values]:
-    """The values of the parameters, variant by variant. Raises RecipeError, FileError."""
+    """Return the parameter values of each variant. Raises RecipeError, FileError."""
     sampling = study.sampling
     if sampling.method == "csv":
         return _from_csv(study)
@@ -33,7 +33,7 @@ def samples_of(study: Study) -> list[Values]:
 
 
 def out_of_range(study: Study, values: Values) -> str:
-    """Why values are none of the study's: a range, a list, a constraint; empty if they are."""
+    """Return which range, list or constraint excludes the values, or an empty text."""
     for entry in study.parameters:
         value = values[entry.name]
         if entry.values and value not in entry.values:
@@ -47,15 +47,15 @@ def out_of_range(study: Study, values: Values) -> str:
 
 
 def _at(entry: Parameter, share: float) -> float:
-    """The value at a share from 0 to 1 of the range, or of the list."""
+    """Return the value at a share from 0 to 1 of the range or of the list."""
     if entry.values:
         return entry.values[min(int(share * len(entry.values)), len(entry.values) - 1)]
     return min(max(entry.low + share * (entry.high - entry.low), entry.low), entry.high)
 
 
 def _unit_samples(sampling: Sampling, parameters: int) -> Floats:
-    """(count, parameters) numbers from 0 to 1."""
-    # Imported here: what reads a study without sampling it needs no scipy.
+    """Return samples (count, parameters) between 0 and 1."""
+    # Imported here, so that only sampling needs scipy.
     try:
         from scipy.stats import qmc
     except ImportError:
@@ -65,7 +65,7 @@ def _unit_samples(sampling: Sampling, parameters: int) -> Floats:
     kinds = {"latin hypercube": qmc.LatinHypercube, "sobol": qmc.Sobol, "halton": qmc.Halton}
     sampler = kinds[sampling.method](parameters, seed=sampling.seed)
     with warnings.catch_warnings():
-        # Sobol warns of counts that are no power of two; they are what the user asked for.
+        # Sobol warns if the count is not a power of two; the count is the user's choice.
         warnings.simplefilter("ignore", UserWarning)
         found: Floats = sampler.random(sampling.count)
         return found
@@ -83,7 +83,7 @@ def _full_grid(study: Study) -> list[Values]:
 
 
 def _steps_within(study: Study) -> int:
-    """How many places each range gets that tells none, so that the grid has `count` at most."""
+    """Return the points of each range without a count, so that the grid has at most `count`."""
     asked = [entry for entry in study.parameters if not entry.values and not entry.count]
     given = [len(e.values) or e.count for e in study.parameters if e not in asked]
     room = study.sampling.count / math.prod(given) if study.sampling.count else 1.0
@@ -122,7 +122,7 @@ def _from_csv(study: Study) -> list[Values]:
 
 
 def _csv_rows(path: Path) -> list[tuple[int, list[str]]]:
-    """Line numbers and cells of the lines that are not empty."""
+    """Return line numbers and cells of the non-empty lines."""
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
             reader = csv.reader(file)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Places that a study names: of a region, a vertex, the vertex nearest to a point, a point."""
+"""Points that a study names: a region, a vertex, the vertex nearest to a point, or a point."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ..recipe.model import Model, RegionEntry
 
 @dataclass(frozen=True, eq=False)
 class Spot:
-    """The mean of some vertices (k,) of a part with weights (k,); or a point that never moves."""
+    """The weighted mean, weights (k,), of vertices (k,) of a part; or a fixed point."""
 
     part: str = ""
     vertices: Ints = field(default_factory=lambda: np.zeros(0, np.int64))
@@ -26,14 +26,14 @@ class Spot:
     point: Floats | None = None
 
     def at(self, positions: Mapping[str, Floats]) -> Floats:
-        """Where it is (3,), positions (n, 3) by part, mm."""
+        """Return the position (3,) for positions (n, 3) by part, mm."""
         if self.point is not None:
             return self.point
         return self.weights @ positions[self.part][self.vertices]
 
 
 def spot_of(told: Any, model: Model, meshes: Mapping[str, PartMesh], where: str) -> Spot:
-    """What a place of a study means. Raises RecipeError."""
+    """Return the point that an entry of a study names. Raises RecipeError."""
     if isinstance(told, str):
         return _of_region(told, model, meshes, where)
     if isinstance(told, list):

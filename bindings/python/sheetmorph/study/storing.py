@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The folder of a study: one folder a variant, that appears whole or not at all.
+"""The folder of a study: one subfolder per variant, which appears complete or not at all.
 
-What is finished stays, and so does what somebody else made. A variant knows its own files by the
-list in its `parameters.json`; a folder under work belongs to the process that holds its lease.
+Finished variants and files of others stay. A variant lists its own files in its `parameters.json`.
+An unfinished folder belongs to the process with its lease.
 """
 
 from __future__ import annotations
@@ -32,25 +32,24 @@ _MOST_NAMES = 3
 
 
 class Store:
-    """Keeps the variants of a study below a folder."""
+    """The variants of a study in a folder."""
 
     def __init__(self, out: Path):
         self.out = out
         self._files: list[Path] = []
 
     def row(self, run: int, wanted: str) -> Row | None:
-        """The row of a variant that is done, depends on what is wanted and has all its files; else
-        None."""
+        """Return the row of a finished variant with this hash and all its files, or None."""
         folder = self.out / folder_name(run)
         row = read_row(folder)
         is_done = row is not None and row.hash == wanted and not _lost(folder, row)
         return row if is_done else None
 
     def open(self, *names: str) -> None:
-        """Make the folder. Raises FileError.
+        """Create the folder. Raises FileError.
 
-        names: files that the call will write. Only in a folder without the lock of a study can they
-        belong to somebody else; then OccupiedError is raised.
+        names are files that the call will write. If one exists in a folder without the lock of a
+        study, it belongs to somebody else and OccupiedError is raised.
         """
         try:
             self.out.mkdir(parents=True, exist_ok=True)
@@ -64,10 +63,11 @@ class Store:
                     raise OccupiedError(file)
 
     def tidy(self, wanted: list[str]) -> None:
-        """Before a study goes on: what was left half done goes, what is done comes to its place.
+        """Remove unfinished variants and move finished ones to their runs, before a study
+        continues.
 
-        wanted: the hash of every variant, in the order of the runs. Raises FileError where a file
-        that is no variant's stands in the way.
+        wanted has the hash of every variant by run. Raises FileError if a foreign file is in the
+        way.
         """
         self.sweep()
         stale = []
@@ -87,8 +87,7 @@ class Store:
         self._fetch(wanted)
 
     def sweep(self) -> None:
-        """Remove half-written files of killed calls and workers. The caller must be alone in the
-        folder."""
+        """Remove partial files of killed calls and workers; the caller must have the lock."""
         for file in self._files:
             for half_written in temporaries_of(file):
                 half_written.unlink(missing_ok=True)
@@ -100,18 +99,18 @@ class Store:
                 path.unlink(missing_ok=True)
 
     def aside(self) -> int:
-        """How many finished variants of other settings are kept aside, under hidden names."""
+        """Count the finished variants of other settings, which have hidden names."""
         return len(self._matching(_ASIDE))
 
     def _put_aside(self, path: Path, key: str) -> None:
         aside = self.out / f".{key}.kept"
-        if aside.exists():  # the same variant once more
+        if aside.exists():  # a duplicate of the variant
             shutil.rmtree(path)
         else:
             path.rename(aside)
 
     def _fetch(self, wanted: list[str]) -> None:
-        """Variants that were put aside and are wanted again, wherever they stand now."""
+        """Move variants of earlier settings back if they are wanted again."""
         runs = {f".{key}.kept": run for run, key in enumerate(wanted)}
         for aside in self._matching(_ASIDE):
             place = self.out / folder_name(runs.get(aside.name, 0))
@@ -123,9 +122,9 @@ class Store:
 
     @contextmanager
     def folder(self, run: int) -> Iterator[Path]:
-        """A folder to write a variant into; without an exception it gets its name at the end.
+        """Provide a folder for a variant; without an exception it gets its name at the end.
 
-        Where another worker was faster with the same variant, its folder stays.
+        If another worker finished the same variant first, its folder stays.
         """
         made = self._hidden(run)
         with Lease(_lease_of(made)):
@@ -133,7 +132,7 @@ class Store:
             try:
                 yield made
                 _list_files(made)
-                # All at once: a disk takes many files in little more time than one.
+                # In parallel, because a disk flushes many files almost as fast as one.
                 with ThreadPoolExecutor(_AT_ONCE) as pool:
                     list(pool.map(flush, filter(Path.is_file, made.rglob("*"))))
                 self._name(made, self.out / folder_name(run))
@@ -175,7 +174,7 @@ def _lease_of(made: Path) -> Path:
 
 
 def _list_files(folder: Path) -> None:
-    """Let the row of a variant name every other file of its folder, and how large it is."""
+    """Add the names and sizes of all other files to the row of a variant."""
     found = json.loads((folder / FILE).read_text("utf-8"))
     found["files"] = {
         str(file.relative_to(folder).as_posix()): file.stat().st_size
@@ -186,7 +185,7 @@ def _list_files(folder: Path) -> None:
 
 
 def _lost(folder: Path, row: Row) -> list[str]:
-    """The files of a variant that are gone or that were emptied."""
+    """Return the files of a variant that are missing or were emptied."""
     return [name for name, size in row.files.items() if size and not _size(folder / name)]
 
 
@@ -198,7 +197,7 @@ def _size(path: Path) -> int:
 
 
 def _require_own(folder: Path, row: Row | None) -> None:
-    """Raises FileError if a folder that is to be replaced holds what no study wrote."""
+    """Check that a folder to be replaced has no foreign files. Raises FileError."""
     files = [file for file in sorted(folder.rglob("*")) if not file.is_dir()]
     names = [file.relative_to(folder).as_posix() for file in files]
     if row is None:
@@ -216,7 +215,7 @@ def _require_own(folder: Path, row: Row | None) -> None:
 
 
 def write_json(folder: Path, data: dict[str, dict[str, Any]]) -> None:
-    """Write JSON files into a folder, by name; whoever needs them on the disk flushes them."""
+    """Write JSON files into a folder, by name; the caller flushes them if needed."""
     with FileSet(flushed=False, is_own=True) as files:
         for name, content in data.items():
             files.temporary_for(folder / name).write_text(_text(content), "utf-8")
@@ -224,7 +223,7 @@ def write_json(folder: Path, data: dict[str, dict[str, Any]]) -> None:
 
 
 def _text(content: dict[str, Any]) -> str:
-    """JSON with one line for every key: for people, and written ten times as fast as indented."""
+    """Return JSON with one line per key: readable, and ten times faster than indented JSON."""
     lines = [
         f" {json.dumps(key)}: {json.dumps(value, ensure_ascii=False, allow_nan=False)}"
         for key, value in content.items()

@@ -21,7 +21,7 @@ Rows = dict[int, Row]
 
 
 def write_summary(plan: Plan, rows: Rows, out: Path) -> dict[str, Any]:
-    """Write the table of the rows that there are, by run; returns what summary.json holds."""
+    """Write the table of the given rows, by run; return the content of summary.json."""
     summary = summary_of(plan, rows)
     texts = {
         CSV: _csv(plan, rows),
@@ -36,7 +36,7 @@ def write_summary(plan: Plan, rows: Rows, out: Path) -> dict[str, Any]:
 
 
 def summary_of(plan: Plan, rows: Rows) -> dict[str, Any]:
-    """What summary.json holds."""
+    """Return the content of summary.json."""
     study = plan.study
     counts = Counter(row.status for row in rows.values())
     return {

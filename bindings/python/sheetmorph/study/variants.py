@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A recipe with other numbers: what has to be factorised anew, and what is a pose of it."""
+"""A recipe with other numbers, split into the factorised part and a pose."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .blends import with_pose
 from .paths import value_at, with_value
 from .reading import Parameter
 
-# What a pose can say instead of the entry of a region: section -> keys.
+# Keys of region entries that a pose can override, by section.
 _POSABLE = {
     "features": ("size", "rotation"),
     "points": ("target", "rotation"),
@@ -27,8 +27,10 @@ Place = Callable[[Any, str], Floats]
 
 @dataclass(frozen=True)
 class Variant:
-    """recipe: what is factorised; pose: what it is asked for; key: the same for all variants that
-    share the pre-processing."""
+    """A variant: recipe is factorised, pose is applied to it.
+
+    key is equal for all variants that share the pre-processing phase.
+    """
 
     recipe: dict[str, Any]
     pose: dict[str, Any]
@@ -36,7 +38,7 @@ class Variant:
 
 
 class Changes:
-    """Makes variants of a recipe. place_of: where at rest (3,) something of a study is, mm."""
+    """Maker of variants of a recipe; place_of returns the rest position (3,) of a point, mm."""
 
     def __init__(self, recipe: dict[str, Any], parameters: tuple[Parameter, ...], place_of: Place):
         self._recipe = recipe
@@ -50,7 +52,7 @@ class Changes:
             self._check(entry)
 
     def variant(self, values: Mapping[str, float]) -> Variant:
-        """The recipe with these values of the parameters. Raises RecipeError."""
+        """Return the variant for parameter values. Raises RecipeError."""
         changed = self.changed(values)
         base = {key: value for key, value in changed.items() if key not in ("pose", "poses")}
         pose = dict(changed.get("pose") or {})
@@ -62,7 +64,7 @@ class Changes:
         return Variant(base, pose, json.dumps(touched, sort_keys=True))
 
     def changed(self, values: Mapping[str, float]) -> dict[str, Any]:
-        """The whole recipe with these values of the parameters. Raises RecipeError."""
+        """Return the whole recipe for parameter values. Raises RecipeError."""
         recipe = self._recipe
         for entry in self._parameters:
             recipe = self._with(recipe, entry, values[entry.name])
@@ -80,7 +82,7 @@ class Changes:
         return with_value(recipe, entry.steps, moved, entry.where)
 
     def _check(self, entry: Parameter) -> None:
-        """Raises RecipeError where a parameter does not lead to a number of the recipe."""
+        """Check that the path of a parameter leads to a number. Raises RecipeError."""
         if entry.blend is not None:
             names = list(self._recipe.get("poses", {}))
             if entry.blend not in names:
@@ -96,7 +98,7 @@ class Changes:
 
 
 def _line(entry: Parameter, place_of: Place) -> tuple[Floats, float]:
-    """The direction (3,) of length 1 in which a handle is moved, and the value without a motion."""
+    """Return the unit direction (3,) of a handle's motion, and the value without a motion."""
     if entry.direction is not None:
         direction, start = np.asarray(entry.direction, float), 0.0
         return direction / np.linalg.norm(direction), start
@@ -112,7 +114,7 @@ def _line(entry: Parameter, place_of: Place) -> tuple[Floats, float]:
 def _as_pose(
     base: dict[str, Any], pose: dict[str, Any], entry: Parameter, recipe: dict[str, Any]
 ) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Base and pose with what the parameter changed told by the pose, if a pose can tell it."""
+    """Move a changed value from the recipe to the pose, if a pose can express it."""
     steps = entry.steps
     if len(steps) < 3 or steps[2] not in _POSABLE.get(str(steps[0]), ()):
         return base, pose

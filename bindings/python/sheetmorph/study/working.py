@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One variant from its values to its folder; what every engine calls, wherever it runs."""
+"""One variant from its values to its folder; every engine calls this module."""
 
 from __future__ import annotations
 
@@ -35,15 +35,14 @@ from .sampling import Values
 from .storing import Store, write_json
 from .variants import Variant
 
-# Sessions that are kept: variants that share one often come in turn.
+# Number of cached sessions; variants that share one often follow each other.
 _KEPT = 2
 _OWN_PARTS = ("parts", "features", "contacts")
 
 
 @dataclass(frozen=True)
 class Task:
-    """A variant to compute: the study's file, the folder of its results, and a number; key: the
-    hash it had when the study began."""
+    """A variant to compute: study file, output folder, run, and its hash at the start."""
 
     study: str
     out: str
@@ -53,8 +52,10 @@ class Task:
 
 @dataclass(frozen=True)
 class Cost:
-    """Seconds of one variant, and of them those that the kernel took; by the clock, and of all
-    cores together; how often something was pre-processed for it."""
+    """Durations of one variant, s: total and kernel, as wall time and as CPU time.
+
+    preprocessed counts its pre-processing phases.
+    """
 
     seconds: float = 0.0
     kernel: float = 0.0
@@ -64,7 +65,7 @@ class Cost:
 
 
 class _Watch:
-    """Adds up what the kernel takes."""
+    """A stopwatch for the kernel."""
 
     def __init__(self) -> None:
         self.kernel = self.cpu = 0.0
@@ -79,7 +80,7 @@ class _Watch:
 
 @dataclass(frozen=True, eq=False)
 class _Base:
-    """A pre-processed recipe, and what certificates of its variants start from."""
+    """A pre-processed recipe, with the rest state for certificates of its variants."""
 
     session: Session
     parts: Parts
@@ -89,16 +90,16 @@ class _Base:
 
     @cached_property
     def certifier(self) -> Certifier:
-        """Measures what variants start from, once."""
+        """The certifier, which measures the rest state once."""
         study = self.plan.study
         inputs = Inputs(study.recipe, self.joint_files)
         return Certifier(self.parts, self.session.model, study.certify, inputs)
 
 
 class Workshop:
-    """Computes variants of one study; what they share is pre-processed once.
+    """The computation of variants of one study with a shared pre-processing phase.
 
-    preprocessed: how often something was.
+    preprocessed counts the pre-processing phases.
     """
 
     def __init__(self, plan: Plan):
@@ -108,15 +109,17 @@ class Workshop:
         self._watch = _Watch()
 
     def begin(self, run: int) -> None:
-        """Pre-process what a variant needs, write the morph at rest and certify it: what is read
-        and measured for that is there for all variants. What is wrong is told by the variants."""
+        """Prepare for all variants: pre-process, write and certify the undeformed parts once.
+
+        Errors are ignored here, because the variants report them.
+        """
         with suppress(RecipeError, FileError, RuntimeError), TemporaryDirectory() as folder:
             variant = replace(self.plan.variant(self.plan.samples[run]), pose={})
             base = self._base(variant)
             self._written(base, variant, base.session.deform({}), Path(folder))
 
     def work(self, run: int, store: Store) -> Cost:
-        """Compute a variant into its folder. What is wrong with it is in its row."""
+        """Compute a variant into its folder; its row has the errors."""
         begin, cpu = time.perf_counter(), time.process_time()
         self._watch, before = _Watch(), self.preprocessed
         values = self.plan.samples[run]
@@ -129,14 +132,14 @@ class Workshop:
         return Cost(seconds, self._watch.kernel, used, self._watch.cpu, preprocessed)
 
     def result(self, values: Values) -> Result:
-        """The exact answer for these values, without files. Raises RecipeError."""
+        """Return the exact answer for parameter values, without files. Raises RecipeError."""
         variant = self.plan.variant(values)
         return self._base(variant).session.deform(variant.pose)
 
     def verdict(self, values: Values, exact: bool) -> str:
-        """Why a variant cannot be or must not be; empty if it may. Nothing is written.
+        """Return why a variant fails, or an empty text; nothing is written.
 
-        exact=False: by a live answer, which measures no contacts.
+        exact=False uses a live answer, which measures no contacts.
         """
         why = self.plan.refusal(values)
         if why:
@@ -147,7 +150,7 @@ class Workshop:
             result = base.session.deform(variant.pose, exact)
         except RecipeError as error:
             return "; ".join(map(str, error.faults))
-        except RuntimeError as error:  # the solver gave up
+        except RuntimeError as error:  # the solve failed
             return " ".join(str(error).split())
         report = report_of(result, base.parts, base.joint_files) if exact else live_report(result)
         figures = Figures(result, report)
@@ -158,11 +161,11 @@ class Workshop:
         return "; ".join([*report["certificate"]["failures"], *failures_of(criteria)])
 
     def session(self, variant: Variant) -> Session:
-        """The pre-processed recipe of a variant. Raises RecipeError."""
+        """Return the session of a variant. Raises RecipeError."""
         return self._base(variant).session
 
     def measures(self, values: Values) -> Measures:
-        """What is measured of these values. Raises RecipeError."""
+        """Return the measures for parameter values. Raises RecipeError."""
         return self._base(self.plan.variant(values)).measures
 
     def _row(self, row: Row, folder: Path) -> Row:
@@ -174,10 +177,10 @@ class Workshop:
         except RecipeError as error:
             return self._without(row, folder, REFUSED, "; ".join(map(str, error.faults)))
         except (OSError, FileError):
-            raise  # a full disk, a folder that is gone: of the study, not of the variant
+            raise  # a full disk or a lost folder concerns the whole study
         except MemoryError:
             return self._without(row, folder, ERROR, "not enough memory")
-        except Exception as error:  # whatever it is, the other variants go on
+        except Exception as error:  # whatever it is, the other variants continue
             text = " ".join(str(error).split())
             known = isinstance(error, RuntimeError) and type(error).__module__.startswith("sheetm")
             what = text if known else f"a mistake of the program ({type(error).__name__}: {text})"
@@ -209,9 +212,9 @@ class Workshop:
     def _written(
         self, base: _Base, variant: Variant, result: Result, folder: Path
     ) -> tuple[dict[str, Any], dict[str, Any], Result]:
-        """Write the parts, read them again and certify them; only what is asked for stays.
+        """Write the parts, read them back, certify them and remove unwanted files.
 
-        Returns the report, the certificate, and the answer as the files hold it.
+        Return the report, the certificate, and the answer with the positions in the files.
         """
         sources, wanted = base.parts.sources, self.plan.study.write
         places, joints = Places([], folder, [], None), base.joint_files
@@ -260,13 +263,13 @@ class Workshop:
 def report_of(
     result: Result, parts: Parts, joint_files: Sequence[JointSource] = ()
 ) -> dict[str, Any]:
-    """The report of an exact answer that is not written."""
+    """Return the report of an exact answer that is not written."""
     beside = told_of_files(result, parts.sources, joint_files)
     return make_report(result, beside=beside, is_brief=True)
 
 
 def _remove(source: Source, folder: Path) -> None:
-    """Remove what was written of a source."""
+    """Remove the written files of a source."""
     names = [] if source.writing is None else [source.writing.name_for(source.file)]
     for path in (*source.file.targets(folder), *(folder / name for name in names)):
         path.unlink(missing_ok=True)
@@ -284,9 +287,9 @@ def _clear(folder: Path) -> None:
 
 
 def work(task: Task) -> Cost:
-    """Compute a variant in this process; the study is read once. For workers of all engines.
+    """Compute a variant in this process, for workers of all engines; the study is read once.
 
-    Threads of one process, as workers of Dask may have, take turns: they share what was read.
+    Threads of one process, as in Dask workers, take turns because they share what was read.
     """
     with _turn:
         shop = _workshop(task.study)
@@ -298,12 +301,12 @@ def work(task: Task) -> Cost:
 
 
 _turn = threading.Lock()
-# The one of this process, by file and time of the study: processes that are forked have it too.
+# The workshop of this process, by file and time of the study; forked processes inherit it.
 _shops: dict[tuple[str, int], Workshop] = {}
 
 
 def adopt(shop: Workshop, study: str) -> None:
-    """Let work() use a workshop for a study's file as it is now."""
+    """Let work() use a workshop for the current version of a study file."""
     _shops.clear()
     _shops[_key(study)] = shop
 
@@ -319,7 +322,7 @@ def _key(study: str) -> tuple[str, int]:
 
 
 def attempt(task: Task) -> tuple[Cost, Fault | None]:
-    """work() as other processes call it: what stops the whole study comes back as a fault."""
+    """Call work() for another process; errors that stop the whole study return as a fault."""
     try:
         return work(task), None
     except (RecipeError, FileError, KernelError, OSError) as error:

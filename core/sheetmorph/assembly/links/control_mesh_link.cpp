@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/links/control_box.h"
-#include "sheetmorph/assembly/links/link_rates.h"
 #include "sheetmorph/assembly/links/motion_link.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/geometry/components.h"
@@ -132,19 +131,6 @@ public:
                                    Exactness exactness) const override
     {
         return link_.transfer(state_of(source), exactness);
-    }
-
-    volume::LinkedRates transfer_rate(const surface::Deformation& source,
-                                      const surface::DeformationRate& rate) const override
-    {
-        const TurnedRates turned = turned_rates(meter_, source_.vertices, {source, rate});
-        volume::SourceRate change;
-        change.positions = rows_of(rate.positions, source_.vertices);
-        change.spins = turned.spins;
-        const volume::SourceState state = state_of(source);
-        change.mean = volume::mean_motion_rate(state.mean, change.positions, turned.logs,
-                                               source_.samples.areas);
-        return link_.transfer_rate(state, change);
     }
 
     VertexIds reads() const override { return meter_.reads(); }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "sheetmorph/mesh/search/part_geometry.h"
-#include "sheetmorph/surface/rates/target_rates.h"
 #include "sheetmorph/surface/solve/deformation.h"
 #include "sheetmorph/volume/oriented_box.h"
 #include "sheetmorph/volume/volume_link.h"
@@ -30,11 +29,6 @@ public:
     //! \returns       the targets' positions and rotations, rows in the order they were given
     virtual volume::LinkedTargets transfer(const surface::Deformation& source,
                                            Exactness exactness) const = 0;
-
-    //! How that changes, where the source part does.
-    //! \throws NoDerivative where sheets are turned by about a whole turn
-    virtual volume::LinkedRates transfer_rate(const surface::Deformation& source,
-                                              const surface::DeformationRate& rate) const = 0;
 
     //! The vertices of the source part whose positions and logs transfer() reads, ascending.
     virtual VertexIds reads() const = 0;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/links/control_box.h"
-#include "sheetmorph/assembly/links/link_rates.h"
 #include "sheetmorph/assembly/links/motion_link.h"
 #include "sheetmorph/assembly/links/patch_anchors.h"
 #include "sheetmorph/base/log_near.h"
@@ -55,41 +54,6 @@ public:
             result.rotations.push_back(rotation);
         }
         return result;
-    }
-
-    volume::LinkedRates transfer_rate(const surface::Deformation& source,
-                                      const surface::DeformationRate& rate) const override
-    {
-        const TurnedRates turned = turned_rates(meter_, corners_, {source, rate});
-        volume::LinkedRates found{Points(arms_.rows(), 3), Points(arms_.rows(), 3),
-                                  Points(arms_.rows(), 3)};
-        for (Eigen::Index row = 0; row < arms_.rows(); ++row)
-        {
-            const mesh::Anchor& anchor = anchors_[static_cast<std::size_t>(row)];
-            Matrix3 map = Matrix3::Zero(), change = Matrix3::Zero();
-            for (std::size_t k = 0; k < 3; ++k)
-            {
-                const double weight = anchor.weights(static_cast<Eigen::Index>(k));
-                const std::size_t corner = corner_index(anchor.corners[k]);
-                const Vector3 spin =
-                    turned.spins.row(static_cast<Eigen::Index>(corner)).transpose();
-                map += weight * turned.measured.matrices[corner];
-                change += weight * cross_matrix(spin) * turned.measured.matrices[corner];
-            }
-            const Matrix3 rotation = polar_rotation(map);
-            const Vector3 spin = spin_of_polar(rotation, map, change);
-            const Vector3 log = log_near(
-                rotation,
-                anchor.sum([&](int corner)
-                           { return Vector3(turned.measured.logs.row(corner_row(corner))); }));
-            require_whole_log(rotation, log);
-            const Vector3 moved = anchor.on(rate.positions);
-            const Vector3 arm = arms_.row(row).transpose();
-            found.positions.row(row) = (moved + spin.cross(rotation * arm)).transpose();
-            found.logs.row(row) = log_rate_of_spin(log, spin).transpose();
-            found.spins.row(row) = spin.transpose();
-        }
-        return found;
     }
 
     VertexIds reads() const override { return meter_.reads(); }

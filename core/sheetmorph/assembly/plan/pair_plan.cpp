@@ -3,6 +3,7 @@
 
 #include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/assembly/links/control_box.h"
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/fitting/circle.h"
@@ -18,7 +19,7 @@ namespace sheetmorph::assembly
 namespace
 {
 
-constexpr double degrees = 180.0 / 3.14159265358979323846;
+constexpr double degrees = 180.0 / pi;
 
 // Of the smaller radius, and degrees: beyond it, features do not share an axis.
 constexpr double most_offset = 0.02;

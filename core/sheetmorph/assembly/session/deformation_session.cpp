@@ -3,7 +3,6 @@
 
 #include "sheetmorph/assembly/session/live_drag.h"
 #include "sheetmorph/assembly/session/wave.h"
-#include "sheetmorph/assembly/session/wave_rates.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/threads/freed_memory.h"
@@ -66,12 +65,6 @@ Deformed DeformationSession::deform(const Pose& pose, Exactness exactness,
 {
     const Pose told = told_pose(*data_, pose);
     return Wave(*data_, told, exactness, progress).run();
-}
-
-std::vector<std::vector<Points>> DeformationSession::rates(
-    const Pose& pose, const std::vector<PoseRate>& directions) const
-{
-    return wave_rates(*data_, told_pose(*data_, pose), directions);
 }
 
 std::unique_ptr<LiveDrag> DeformationSession::begin_drag(const std::vector<std::string>& handles,

@@ -83,14 +83,6 @@ public:
     Deformed deform(const Pose& pose, Exactness exactness = Exactness::exact,
                     const Progress& progress = {}) const;
 
-    //! How the exact positions change along directions of the pose, by direction and part, (n, 3)
-    //! each: the answer differentiated with the factors that are there (pose_rates.h).
-    //! \throws InvalidInput as deform()
-    //! \throws NoDerivative where it is not differentiated: `steel`, refined answers, thin solids,
-    //!         planes of symmetry, links between features, turns of about a whole turn
-    std::vector<std::vector<Points>> rates(const Pose& pose,
-                                           const std::vector<PoseRate>& directions) const;
-
     //! Live frames while the named handles move, the others staying as in `start`; the session may
     //! end before the drag does. See live_drag.h.
     //! \throws InvalidInput if the assembly does not have a name

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/session/drag_samples.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/surface/live/drawn_motions.h"
@@ -17,7 +18,7 @@ namespace
 // Poses that pass through the parts.
 constexpr int passed_poses = 128;
 
-constexpr double farthest_passed = 75.0 / 180.0 * M_PI;
+constexpr double farthest_passed = 75.0 / 180.0 * pi;
 
 // With a plane of symmetry the pose of one of two mirrored handles tells that of the other.
 std::set<std::string> mirrored(const PreparedAssembly& prepared)

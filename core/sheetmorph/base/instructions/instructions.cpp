@@ -12,7 +12,7 @@ namespace
 {
 
 // Of two sets of one processor family the wider one has the lower bit.
-std::int64_t excluded()
+[[maybe_unused]] std::int64_t excluded()
 {
     const char* const given = std::getenv("SHEETMORPH_INSTRUCTIONS");
     const std::string name = given != nullptr ? given : "";
@@ -27,6 +27,7 @@ std::int64_t excluded()
 
 void limit_instructions()
 {
+#if (HWY_TARGETS & (HWY_TARGETS - 1)) != 0  // there is a choice
     [[maybe_unused]] static const bool is_limited = []
     {
         // Other users of the library in this process keep their limits.
@@ -34,6 +35,7 @@ void limit_instructions()
             hwy::DisableTargets(excluded());
         return true;
     }();
+#endif
 }
 
 }  // namespace sheetmorph

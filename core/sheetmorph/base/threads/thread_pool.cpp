@@ -9,12 +9,17 @@
 #include <cstdlib>
 #include <exception>
 #include <mutex>
-#include <pthread.h>
-#include <sched.h>
 #include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
+#ifndef _WIN32
+#include <pthread.h>
+#endif
 
 namespace sheetmorph
 {
@@ -30,11 +35,16 @@ constexpr std::chrono::milliseconds between_looks{100};
 
 thread_local bool is_of_pool = false;
 
+// A batch system may give a process fewer cores than the machine has.
 int cores_of_process()
 {
+#ifdef __linux__
     cpu_set_t cores;
     CPU_ZERO(&cores);
-    return sched_getaffinity(0, sizeof cores, &cores) == 0 ? CPU_COUNT(&cores) : 1;
+    if (sched_getaffinity(0, sizeof cores, &cores) == 0)
+        return CPU_COUNT(&cores);
+#endif
+    return static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
 }
 
 int threads_wanted()
@@ -245,15 +255,17 @@ ThreadPool& ThreadPool::common()
     return pool;
 }
 
-// A process that was forked has none of the threads: it starts its own, as many as it is told.
 ThreadPool::ThreadPool() : threads_(threads_wanted()), shared_(std::make_shared<Shared>())
 {
+#ifndef _WIN32
+    // A forked process does not inherit the threads, so it starts its own.
     pthread_atfork(nullptr, nullptr,
                    []
                    {
                        common().shared_ = std::make_shared<Shared>();
                        common().threads_ = threads_wanted();
                    });
+#endif
 }
 
 void ThreadPool::set_threads(int threads)

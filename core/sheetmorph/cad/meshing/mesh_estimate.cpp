@@ -150,19 +150,18 @@ void MeshEstimate::check(const CadMeshing& meshing) const
     const double largest = is_angle ? 1.5 : 1e12;
     while (triangles(wanted) > fit && size < largest)
         size *= step;
-    const std::string million = short_number(needed / 1e6) + " million triangles; give ";
-    const std::string tens = [&]
-    {
-        const double unit = std::pow(10.0, std::floor(std::log10(size)));
-        return short_number(std::ceil(size / unit) * unit);
-    }();
-    if (is_angle)
-        throw InvalidInput("an angle of " + short_number(meshing.angle * 180.0 / M_PI)
-                           + " degrees would need " + million + "a larger one");
-    throw InvalidInput((is_edge ? "edges of " + short_number(meshing.edge)
-                                : "a deflection of " + short_number(meshing.deflection))
-                       + " mm would need " + million
-                       + (is_edge ? "a longer edge, " : "a larger one, ") + tens + " mm or so");
+    const std::string what =
+        is_edge    ? "edges of " + short_number(meshing.edge) + " mm"
+        : is_angle ? "an angle of " + short_number(meshing.angle * 180.0 / M_PI) + " degrees"
+                   : "a deflection of " + short_number(meshing.deflection) + " mm";
+    const double unit = std::pow(10.0, std::floor(std::log10(size)));
+    const std::string enough = short_number(std::ceil(size / unit) * unit) + " mm";
+    throw InvalidInput(what + " would need " + short_number(needed / 1e6)
+                           + " million triangles, more than the limit of "
+                           + short_number(most_triangles / 1e6) + " million",
+                       is_edge    ? "give a longer edge, about " + enough
+                       : is_angle ? "give a larger one"
+                                  : "give a larger one, about " + enough);
 }
 
 }  // namespace sheetmorph::cad

@@ -6,10 +6,10 @@
 namespace sheetmorph::mesh
 {
 
-//! Which connected component each vertex belongs to.
+//! The connected component of each vertex.
 struct Components
 {
-    std::vector<int> label;  //!< (n) 0.. in order of first appearance; unused for lone vertices
+    std::vector<int> label;  //!< (n) from 0 in order of first appearance; `unused` without one
     int count = 0;
 
     static constexpr int unused = -1;
@@ -18,9 +18,9 @@ struct Components
     VertexIds vertices(int component) const;
 };
 
-//! Components of a mesh by shared vertices. A vertex is unused if no triangle with three different
-//! vertices and some extent has it. Each of `joined` makes one component of all its vertices,
-//! unused ones included unless all are.
+//! Components of a mesh by shared vertices. A vertex is unused if no non-degenerate triangle
+//! contains it. Each group in `joined` connects all its vertices. Unused vertices of a group join
+//! its component, unless the whole group is unused.
 Components connected_components(const TriangleMesh& mesh,
                                 const std::vector<VertexIds>& joined = {});
 

@@ -14,10 +14,11 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// Four points on a circle have the sum 0; rounding must not flip them for ever.
+// Four points on a circle have the sum 0; rounding must not flip them endlessly.
 constexpr double rounding = 1e-9;
 
-//! A side as seen from its face: unit vectors along it and into the face, and the apex there.
+//! A side in the frame of its face: unit vectors along it and into the face, and the position of
+//! the apex.
 struct SideFrame
 {
     Vector3 along, inward;
@@ -48,14 +49,14 @@ double cotangent_sum(const LaidFaces& faces, int side)
            + corner_cotangent(faces.corners[at(other / 3)], (other + 2) % 3);
 }
 
-// Whether the two faces run along the side in opposite senses, as well oriented ones do (and as a
-// side from a vertex to itself is taken to).
+// Whether the two faces run along the side in opposite directions, as consistently oriented faces
+// do. A side from a vertex to itself counts as opposed.
 bool is_opposed(const LaidFaces& faces, int side, int other)
 {
     return faces.from(side) == faces.to(other);
 }
 
-//! What is glued to one side, so that it can be moved to another side.
+//! The neighbour of a side, saved to attach it to another side.
 struct Seam
 {
     int glued;
@@ -78,7 +79,7 @@ void attach(LaidFaces& faces, int side, const Seam& seam)
     }
 }
 
-// Seams between two of the four outer sides have to follow both of their ends.
+// A seam between two of the four outer sides must be updated at both ends.
 void move_seams(LaidFaces& faces, const std::array<int, 4>& old_sides,
                 const std::array<int, 4>& new_sides)
 {
@@ -96,8 +97,8 @@ void move_seams(LaidFaces& faces, const std::array<int, 4>& old_sides,
         attach(faces, new_sides[i], seams[i]);
 }
 
-// Side s of face f runs from a to b with apex c; beyond it lies d. The new faces are (c, d, b) in
-// place of f and (d, c, a) in place of its neighbour; their first sides are the flipped one.
+// Side s of face f runs from a to b with apex c; d is the apex beyond it. The new faces are (c, d,
+// b) in place of f and (d, c, a) in place of its neighbour. Their first sides are the flipped side.
 bool flip(LaidFaces& faces, int side)
 {
     const int other = faces.glued[at(side)];

@@ -7,7 +7,7 @@
 namespace sheetmorph::mesh
 {
 
-//! All facets of a mesh, with every vertex once.
+//! All facets of a mesh; `corners` contains every vertex once.
 fitting::FacetSample facets_of(const TriangleMesh& mesh);
 
 }  // namespace sheetmorph::mesh

@@ -17,7 +17,7 @@ int next_corner(int corner)
     return corner / 3 * 3 + (corner + 1) % 3;
 }
 
-// The corners at both ends of two sides that lie on one edge.
+// Joins the corners at both ends of two sides on the same edge.
 void join_sides(const LaidFaces& faces, int one, int other, DisjointSets& corners)
 {
     const bool opposed = faces.from(one) == faces.to(other);

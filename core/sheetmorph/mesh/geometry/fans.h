@@ -6,19 +6,20 @@
 namespace sheetmorph::mesh
 {
 
-//! The faces around every vertex, in fans: groups that hang together by the sides they share there.
+//! The faces around every vertex, grouped into fans. Faces of a fan are connected by sides at the
+//! vertex.
 struct Fans
 {
-    std::vector<int> of_corner;     //!< (3 m) 0.. the fan of corner 3 f + k
-    std::vector<int> vertex;        //!< (fans)
-    std::vector<int> around;        //!< (n) fans at each vertex; 0 if no face has it
-    std::vector<char> is_interior;  //!< (n) one fan, glued all around
+    std::vector<int> of_corner;     //!< (3 m) fan of corner 3 f + k, from 0
+    std::vector<int> vertex;        //!< (fans) vertex of each fan
+    std::vector<int> around;        //!< (n) number of fans at each vertex; 0 without faces
+    std::vector<char> is_interior;  //!< (n) whether the vertex has one fan, glued all around
 };
 
 //! \param vertex_count  n
 Fans fans_of(const LaidFaces& faces, int vertex_count);
 
-//! Open sides that lie on the same edge, two or more each: where several sheets meet.
+//! Groups of two or more open sides on the same edge, where several sheets meet.
 std::vector<std::vector<int>> seams_of(const LaidFaces& faces);
 
 }  // namespace sheetmorph::mesh

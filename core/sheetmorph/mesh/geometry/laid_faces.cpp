@@ -14,10 +14,10 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// As in operators.cpp: the thinnest triangle told from a degenerate one, height over longest edge.
+// Height over longest edge, as in operators.cpp; a thinner triangle is degenerate.
 constexpr double thinnest = 1e-4;
 
-// Below this a triangle's own height does not tell on which side of its longest edge it lies.
+// Below this height over longest edge, rounding determines on which side of the edge the apex lies.
 constexpr double straight = 1e-8;
 
 constexpr int not_laid = -1;
@@ -27,16 +27,16 @@ Vector3 point_of(const TriangleMesh& mesh, int vertex)
     return mesh.points().row(vertex).transpose();
 }
 
-// From the line through `start` along the unit vector `along` to `point`, at right angles.
+// The perpendicular from the line through `start` along the unit vector `along` to `point`.
 Vector3 height_over(const Vector3& start, const Vector3& along, const Vector3& point)
 {
     const Vector3 arm = point - start;
     return arm - along * along.dot(arm);
 }
 
-// On which side of its longest side `base` a straight triangle lies, as its highest neighbour in
-// the same flat strip of paper tells: away from one beyond that side, towards one beyond the
-// others.
+// The side of its longest edge `base` on which a collinear triangle lies in its unfolded
+// neighbourhood. The neighbour of largest height decides: the apex points away from a neighbour
+// across `base`, and towards a neighbour across another edge.
 Vector3 side_of_straight(const TriangleMesh& mesh, const EdgeTable& edges, int t, int base)
 {
     const Vector3 start = point_of(mesh, mesh.triangles()(t, base));
@@ -76,11 +76,11 @@ LaidFaces::Corners laid_corners(const TriangleMesh& mesh, const EdgeTable& edges
     return corners;
 }
 
-//! Faces of a mesh and where its triangles went.
+//! The faces of a mesh and the face of each triangle.
 struct Laid
 {
     LaidFaces faces;
-    std::vector<int> face_of;  // triangle -> face, or not_laid
+    std::vector<int> face_of;  // by triangle: its face, or not_laid
 };
 
 Laid unglued_faces(const TriangleMesh& mesh, const EdgeTable& edges)
@@ -103,7 +103,7 @@ Laid unglued_faces(const TriangleMesh& mesh, const EdgeTable& edges)
     return laid;
 }
 
-// The sides at every edge of the mesh, of faces that are laid.
+// Visits every edge of the mesh with the sides of its laid faces.
 template <typename Visit>
 void for_each_edge(const TriangleMesh& mesh, const EdgeTable& edges, const Laid& laid, Visit visit)
 {
@@ -123,7 +123,7 @@ void glue(LaidFaces& faces, int one, int other)
     faces.glued[static_cast<std::size_t>(other)] = one;
 }
 
-// Angle of every side's face about its edge, run from the smaller vertex to the larger.
+// Angle of a side's face about its edge, directed from the smaller vertex to the larger.
 double angle_about_edge(const LaidFaces& faces, int side, const Vector3& first)
 {
     const LaidFaces::Corners& corners = faces.corners[static_cast<std::size_t>(side / 3)];
@@ -135,7 +135,7 @@ double angle_about_edge(const LaidFaces& faces, int side, const Vector3& first)
     return std::atan2(along.dot(start.cross(height)), start.dot(height));
 }
 
-// Around an edge, the face of each side looks at the next one.
+// Sorts the sides of an edge by angle, so that each face faces the next.
 void sort_about_edge(const LaidFaces& faces, std::vector<int>& sides)
 {
     const LaidFaces::Corners& corners = faces.corners[static_cast<std::size_t>(sides[0] / 3)];

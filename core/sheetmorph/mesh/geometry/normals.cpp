@@ -9,7 +9,7 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// Part of the summed area below which a sum of normals is rounding.
+// Over the summed area: a shorter sum of normals is rounding.
 constexpr double cancelled = 1e-10;
 
 Vector3 area_vector(const Points& points, const Triangles& triangles, int t)
@@ -20,7 +20,7 @@ Vector3 area_vector(const Points& points, const Triangles& triangles, int t)
     return a.cross(b);
 }
 
-// The largest triangle's area vector at each vertex, for the vertices where the sum is nothing.
+// The area vector of the largest triangle at each vertex, used where the sum cancels.
 Points largest_area_vectors(const Points& points, const Triangles& triangles)
 {
     Points largest = Points::Zero(points.rows(), 3);

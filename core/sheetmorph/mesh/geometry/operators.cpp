@@ -11,18 +11,18 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// The thinnest triangle told from a degenerate one, height over longest edge.
+// Height over longest edge; a thinner triangle is degenerate.
 constexpr double thinnest = 1e-4;
 
-// Where cotangent weights are negative or zero, so little of a regular edge's weight keeps a
-// vertex tied to its neighbours.
+// Replaces negative and zero cotangent weights. It is small against the weight of a regular edge
+// (0.58) but keeps a vertex connected to its neighbours.
 constexpr double smallest_weight = 1e-3;
 
 struct Corners
 {
     std::array<Vector3, 3> at;
     double longest;     // squared edge length
-    double twice_area;  // as the geometry says
+    double twice_area;  // without a lower limit
 
     Corners(const TriangleMesh& mesh, int triangle)
         : Corners({Vector3(mesh.points().row(mesh.triangles()(triangle, 0)).transpose()),
@@ -51,8 +51,8 @@ bool repeats_a_vertex(const Triangles& triangles, int t)
            || triangles(t, 2) == triangles(t, 0);
 }
 
-// Area of a triangle that belongs to each corner: Voronoi where it is not obtuse, else half of
-// the area to the obtuse corner and a quarter to the others.
+// Area of each corner of a triangle: its Voronoi area if the triangle is not obtuse. In an obtuse
+// triangle, half of the area at the obtuse corner and a quarter at the others.
 Vector3 mixed_shares(const Corners& corners)
 {
     const double area = 0.5 * corners.twice_area;
@@ -76,7 +76,7 @@ Vector3 mixed_shares(const Corners& corners)
     return shares;
 }
 
-// Vertices of at least one triangle that is not degenerate.
+// Vertices of at least one non-degenerate triangle.
 std::vector<char> sound_vertices(const TriangleMesh& mesh)
 {
     std::vector<char> sound(static_cast<std::size_t>(mesh.vertex_count()), 0);
@@ -107,7 +107,7 @@ Eigen::SparseMatrix<double> stiffness_of(int vertex_count,
     return stiffness;
 }
 
-// Off-diagonal entries, one a triangle edge.
+// Off-diagonal entries, one per side of a triangle.
 std::vector<Eigen::Triplet<double>> edge_entries(const TriangleMesh& mesh, const Points& weights)
 {
     std::vector<Eigen::Triplet<double>> edges;
@@ -150,7 +150,7 @@ Eigen::SparseMatrix<double> cotangent_stiffness(const TriangleMesh& mesh,
 Eigen::SparseMatrix<double> non_negative_stiffness(const TriangleMesh& mesh,
                                                    const Points& half_cotangents)
 {
-    // Also edges between right angles, whose weight is zero.
+    // Includes edges between right angles, whose weight is zero.
     std::vector<Eigen::Triplet<double>> edges;
     edges.reserve(static_cast<std::size_t>(6 * mesh.triangle_count()));
     for (int t = 0; t < mesh.triangle_count(); ++t)

@@ -22,11 +22,11 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// A rim breaks the sheet by more than the facets of a coarse round wall do among each other.
+// Radians. The bend at a rim exceeds the bends between facets of a coarse round wall.
 constexpr double rim_angle = 0.7;
 constexpr double rim_roundness = 0.02;
 
-// A vertex of no triangle may stand anywhere.
+// The bounding box excludes unused vertices, which may be anywhere.
 double size_of_triangles(const TriangleMesh& mesh)
 {
     if (mesh.triangle_count() == 0)
@@ -144,7 +144,7 @@ TriangleMesh with_one_vertex_a_place(const TriangleMesh& mesh, const std::vector
 
 TriangleMesh without_cuts(const TriangleMesh& mesh, double tolerance)
 {
-    // A ledge lower than the tolerance in a closed surface is no cut: merged, it would become one.
+    // A closed surface with a ledge lower than the tolerance has no cut; merging would create one.
     const bool is_closed = open_and_non_manifold(EdgeTable(mesh))[0] == 0;
     return is_closed ? mesh : with_one_vertex_a_place(mesh, weld(mesh, tolerance).first);
 }

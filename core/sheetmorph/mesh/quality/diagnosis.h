@@ -6,15 +6,15 @@
 namespace sheetmorph::mesh
 {
 
-//! Longest edge over height from which on a triangle counts as a sliver.
+//! A triangle with a larger ratio of longest edge to height counts as a sliver.
 constexpr double sliver_aspect = 25.0;
 
-//! What a connected piece of a mesh is, its near vertices taken as one.
+//! Kind of a connected piece of a mesh whose near vertices are merged.
 enum class PieceKind
 {
-    open_shell,  //!< it has open edges
-    thin_solid,  //!< closed, a sheet with two skins (told by diagnose_sheets alone)
-    solid        //!< closed otherwise
+    open_shell,  //!< with open edges
+    thin_solid,  //!< closed, a sheet with two skins; only diagnose_sheets() detects it
+    solid        //!< any other closed piece
 };
 
 struct PieceDiagnosis
@@ -22,20 +22,20 @@ struct PieceDiagnosis
     PieceKind kind = PieceKind::open_shell;
     int triangles = 0;
     double area = 0.0;           //!< mm^2
-    double volume = 0.0;         //!< mm^3, > 0; of closed pieces only
-    bool is_inside_out = false;  //!< closed, and most of it faces inwards
-    double thickness = 0.0;      //!< of a thin solid: the one of its largest sheet, mm
-    double thinnest = 0.0;       //!< of a thin solid: nine tenths of it are between these, mm
+    double volume = 0.0;         //!< mm^3, > 0; only of closed pieces
+    bool is_inside_out = false;  //!< closed, and most triangles face inwards
+    double thickness = 0.0;      //!< of a thin solid: thickness of its largest sheet, mm
+    double thinnest = 0.0;       //!< of a thin solid: 5 % and 95 % quantiles of the thickness, mm
     double thickest = 0.0;
 };
 
-//! How long the edges of a mesh are, mm.
+//! Statistics of the edge lengths of a mesh, mm.
 struct EdgeLengths
 {
     double shortest = 0.0, median = 0.0, longest = 0.0;
 };
 
-//! Closed round rims of holes and pins: at borders and creases.
+//! Closed round rims of holes and pins, at borders and creases.
 struct RimDiagnosis
 {
     int count = 0;
@@ -43,35 +43,34 @@ struct RimDiagnosis
     int fewest_vertices = 0;                             //!< of any rim
 };
 
-//! What a mesh is and what is wrong with it. Counts are of the mesh as it stands unless they say
-//! otherwise.
+//! Properties and faults of a mesh. Counts refer to the unmodified mesh unless stated otherwise.
 struct Diagnosis
 {
     double size = 0.0;       //!< diagonal of the bounding box of the triangles, mm
-    double tolerance = 0.0;  //!< vertices nearer than this are one place, mm
+    double tolerance = 0.0;  //!< vertices nearer than this count as one, mm
     EdgeLengths edges;
     RimDiagnosis rims;
     int unused_vertices = 0;
-    int duplicate_vertices = 0;       //!< in exactly the place of an earlier one
-    int near_duplicate_vertices = 0;  //!< pairs of different places within the tolerance
-    int duplicate_triangles = 0;      //!< over the same three vertices as one before
+    int duplicate_vertices = 0;       //!< at exactly the position of an earlier one
+    int near_duplicate_vertices = 0;  //!< pairs of different positions within the tolerance
+    int duplicate_triangles = 0;      //!< with the same three vertices as an earlier one
     int degenerate_triangles = 0;     //!< repeat a vertex or are thinner than 1e-5
-    int slivers = 0;                  //!< longest edge / height > 25, degenerate ones left out
-    int flipped_triangles = 0;        //!< the fewest to turn so that each piece faces one way
-    bool is_one_sided = false;        //!< no turning makes a piece face one way
-    int t_junctions = 0;              //!< vertices inside open edges, equal vertices taken as one
+    int slivers = 0;                  //!< longest edge / height > 25, not degenerate
+    int flipped_triangles = 0;        //!< fewest flips that orient every piece consistently
+    bool is_one_sided = false;        //!< whether a piece cannot be oriented consistently
+    int t_junctions = 0;              //!< vertices inside open edges, after merging equal vertices
     int open_edges = 0;
-    int non_manifold_edges = 0;          //!< with three triangles or more
-    int open_edges_welded = 0;           //!< what would be left once near vertices are one
-    int non_manifold_edges_welded = 0;   //!< the same
-    std::vector<PieceDiagnosis> pieces;  //!< the welded mesh's, by their first triangle
+    int non_manifold_edges = 0;          //!< with three or more triangles
+    int open_edges_welded = 0;           //!< left after merging near vertices
+    int non_manifold_edges_welded = 0;   //!< left after merging near vertices
+    std::vector<PieceDiagnosis> pieces;  //!< of the merged mesh, by first triangle
 };
 
-//! The mesh with near vertices as one if it has open edges; as it stands if it is closed. Its
-//! vertices and triangles keep their numbers.
+//! Merges near vertices if the mesh has open edges; a closed mesh stays as it is. Vertices and
+//! triangles keep their indices.
 TriangleMesh without_cuts(const TriangleMesh& mesh, double tolerance);
 
-//! Looks at a mesh; changes nothing.
+//! Diagnoses a mesh without changing it.
 //! \param tolerance  mm, >= 0
 //! \throws InvalidInput for a tolerance that is negative or not finite
 Diagnosis diagnose(const TriangleMesh& mesh, double tolerance);

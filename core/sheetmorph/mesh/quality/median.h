@@ -7,7 +7,7 @@
 namespace sheetmorph::mesh
 {
 
-//! The middle of some values, of an even number the upper one; 0 of none.
+//! The median; the upper one of an even number of values; 0 if there are none.
 inline double median(std::vector<double> values)
 {
     if (values.empty())

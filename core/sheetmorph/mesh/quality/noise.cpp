@@ -15,27 +15,30 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// Cosine of the largest angle between neighbours in smooth surface (50 degrees: scatter bends too).
+// Cosine of the largest angle between neighbours in smooth regions (50 degrees, because scatter
+// also bends).
 constexpr double smooth = 0.64;
 
-// Values are taken for scatter by their calmest quarter, here over the standard deviation.
+// Lower quartile of |x| for a standard normal variable x; converts the quartile of residuals to a
+// standard deviation.
 constexpr double calm_quarter = 0.3186;
 
-// So many places are looked at, and so many tell; neighbours of one that do not leave much to say
-// for the place itself; scatter below this share of the edges is none.
+// most_places, fewest_places: number of sampled vertices, and of usable ones among them.
+// fewest_neighbours, slimmest, most_leverage: the neighbours must determine the quadric. least: a
+// smaller scatter relative to the median edge length counts as none.
 constexpr std::size_t most_places = 1000;
 constexpr std::size_t fewest_places = 12;
 constexpr Eigen::Index fewest_neighbours = 9;
-constexpr double slimmest = 0.02;  // determinant of their spread over its squared trace
+constexpr double slimmest = 0.02;  // determinant of their covariance over its squared trace
 constexpr double most_leverage = 0.8;
 constexpr double least = 0.008;
 
-// Of a triangle's normal: its scatter, radians, times height over that of a vertex.
+// sqrt(3/2): standard deviation of a triangle's normal, times height, over that of its vertices.
 constexpr double of_normal = 1.22;
 constexpr int rounds = 12;
 constexpr double alike = 0.1;  // radians
 
-// Neighbours over edges; a vertex whose triangles bend much has none.
+// Neighbours along edges; empty for a vertex whose triangles bend strongly.
 class SmoothNeighbours
 {
 public:
@@ -64,7 +67,7 @@ public:
         }
     }
 
-    // Two rings around a vertex, itself first; nothing where a sharp bend is near.
+    // The vertex and its two rings; empty if a sharp bend is near.
     VertexIds patch(int vertex) const
     {
         VertexIds found = {vertex};
@@ -90,11 +93,11 @@ public:
 
 private:
     std::vector<VertexIds> near_;
-    Points normals_;  // of some triangle at each vertex
+    Points normals_;  // by vertex: normal of one of its triangles
 };
 
-// What is left of a vertex beside the quadric through its neighbours and itself, over what would be
-// left of scatter of 1; negative where that cannot be told.
+// Residual of a vertex from the quadric fitted to itself and its neighbours, normalised to the
+// residual of unit scatter. Negative if the neighbours do not determine the quadric.
 double left_of(const Points& patch, const Vector3& normal)
 {
     if (patch.rows() < fewest_neighbours + 1)
@@ -185,7 +188,7 @@ Points calmed_normals(const EdgeTable& edges, const Points& normals,
     const Eigen::VectorXd area =
         Eigen::Map<const Eigen::VectorXd>(areas.data(), static_cast<Eigen::Index>(areas.size()));
     Points calm = normals;
-    // A filter of so many passes, not a search for something they would end at.
+    // A filter with a fixed number of passes; it does not iterate to convergence.
     for (int round = 0; round < rounds; ++round)
     {
         Points sums = area.asDiagonal() * calm;

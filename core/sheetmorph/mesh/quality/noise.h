@@ -6,24 +6,25 @@
 namespace sheetmorph::mesh
 {
 
-//! How far the vertices of a measured mesh are scattered about its surface, as a standard deviation
-//! in one direction, mm; 0 for a mesh that was drawn. A surface bends away from its vertices much
-//! the same way as from their neighbours; scatter does not: what is left of the umbrella vector
-//! (Taubin 1995) beside that of the neighbours, along the normal, tells it. Counted are vertices
-//! amid smooth surface, and the calmer ones decide. \param normals  (m, 3) of length 1, or zero
+//! Standard deviation of a measured mesh's vertices about their surface in one direction, mm; 0 for
+//! a drawn mesh. The estimate uses residuals of vertices from a quadric fitted to their two rings
+//! of neighbours. Smooth surfaces follow the quadric, noise does not. Only vertices in smooth
+//! regions count, and the lower quartile of the residuals decides.
+//! \param normals  (m, 3) of length 1, or zero
 double scatter_of(const TriangleMesh& mesh, const EdgeTable& edges, const Points& normals);
 
-//! The same of a mesh whose vertices are merged.
+//! As above, for a mesh whose vertices are already merged.
 double scatter_of(const TriangleMesh& mesh);
 
-//! What scatter does to the normals of triangles with these areas (mm^2, 0: too thin): (m) radians.
+//! Standard deviation of the normals that scatter causes, (m) radians.
+//! \param areas  (m) mm^2; 0: degenerate triangle
 std::vector<double> unsure_normals(const TriangleMesh& mesh, const std::vector<double>& areas,
                                    double scatter);
 
-//! The normals of a mesh (m, 3) without what its scatter does to them: each is drawn to those
-//! around it, the more the less they differ beyond what scatter explains, so that edges of the
-//! shape stay sharp (bilateral normals, Zheng and others 2011).
-//! \param normals  (m, 3); zero for a triangle too thin to have one, which stays so
+//! The normals of a mesh (m, 3) with the effect of scatter removed. Each normal moves towards its
+//! neighbours; the weight falls if they differ more than scatter explains, so that sharp edges stay
+//! sharp (bilateral normal filtering, Zheng et al. 2011).
+//! \param normals  (m, 3); zero for a degenerate triangle, which stays zero
 Points calmed_normals(const EdgeTable& edges, const Points& normals,
                       const std::vector<double>& areas, const std::vector<double>& unsure);
 

@@ -30,7 +30,8 @@ double area_of(const TriangleMesh& mesh, const std::vector<int>& triangles)
     return area;
 }
 
-// A closed piece: which way it faces as a whole. `sign` is turned outwards.
+// Diagnoses the volume and orientation of a closed piece. Flips `sign` so that the piece faces
+// outwards.
 void look_inside(const TriangleMesh& mesh, const std::vector<int>& triangles,
                  std::vector<int>& sign, PieceDiagnosis& piece)
 {

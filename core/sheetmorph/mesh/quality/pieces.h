@@ -7,12 +7,11 @@
 namespace sheetmorph::mesh
 {
 
-//! The triangles of every piece connected over vertices, by their first triangle. Triangles that
-//! repeat a vertex belong to none.
+//! The triangles of every piece connected through vertices, ordered by first triangle. Triangles
+//! that repeat a vertex belong to no piece.
 std::vector<std::vector<int>> triangles_of_pieces(const TriangleMesh& mesh, const EdgeTable& table);
 
-//! What each connected piece of a mesh whose near vertices are one is, in the order of
-//! triangles_of_pieces().
+//! Diagnoses each piece of a mesh with merged vertices, in the order of triangles_of_pieces().
 std::vector<PieceDiagnosis> diagnose_pieces(const TriangleMesh& mesh, const EdgeTable& table);
 
 }  // namespace sheetmorph::mesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/quality/quality.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/geometry/thinness.h"
@@ -17,7 +18,6 @@ namespace sheetmorph::mesh
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double folded_over = 150.0 / 180.0 * pi;
 constexpr double least_growth = 30.0 / 180.0 * pi;
 
@@ -39,7 +39,7 @@ double aspect(const TriangleMesh& mesh, int triangle)
     return std::sqrt(0.75) * longest / a.cross(b).norm();
 }
 
-// Tangent of the smallest corner, which is opposite the shortest edge and at most 60 degrees.
+// Tangent of the smallest corner angle, which is opposite the shortest edge and at most 60 degrees.
 double smallest_tangent(const TriangleMesh& mesh, int triangle)
 {
     const Eigen::RowVector3i corners = mesh.triangles().row(triangle);
@@ -56,7 +56,7 @@ double smallest_tangent(const TriangleMesh& mesh, int triangle)
     return along > 0.0 ? a.cross(b).norm() / along : 0.0;
 }
 
-// Whether two neighbours lie on each other that did not at rest.
+// Whether two neighbours lie on each other, but did not at rest.
 bool is_fold(const TriangleMesh& rest, const TriangleMesh& deformed, const EdgeUse uses[2])
 {
     for (int k = 0; k < 2; ++k)

@@ -6,39 +6,38 @@
 namespace sheetmorph::mesh
 {
 
-//! How well shaped the triangles of a mesh are; degenerate ones are counted and left out of the
-//! rest.
+//! Shape quality of the triangles of a mesh. Degenerate triangles are only counted.
 struct MeshQuality
 {
-    double worst_angle_degrees = 60.0;  //!< smallest corner of any triangle
-    double worst_aspect = 1.0;  //!< largest (longest edge / height over it), 1 if equilateral
+    double worst_angle_degrees = 60.0;  //!< smallest corner angle of any triangle
+    double worst_aspect = 1.0;  //!< largest ratio of longest edge to height, 1 if equilateral
     int degenerate = 0;         //!< triangles that repeat a vertex or are thinner than 1e-5
 };
 
-//! The quality of a mesh, in whatever shape its points are.
+//! The quality of a mesh in any pose.
 MeshQuality quality(const TriangleMesh& mesh);
 
-//! By vertex the smallest corner of any triangle at it, degrees; 60 at a vertex without triangles.
+//! The smallest corner angle of any triangle at each vertex, (n) degrees; 60 without triangles.
 Eigen::VectorXd vertex_quality(const TriangleMesh& mesh);
 
-//! What a deformation did to the triangles.
+//! Changes of the triangles under a deformation.
 struct QualityChange
 {
     MeshQuality deformed;
-    double largest_stretch = 1.0;   //!< largest edge length over its length at rest
-    double smallest_stretch = 1.0;  //!< smallest of the same
-    std::vector<int> flipped;       //!< triangles, ascending
+    double largest_stretch = 1.0;   //!< largest ratio of deformed to rest edge length
+    double smallest_stretch = 1.0;  //!< smallest ratio
+    std::vector<int> flipped;       //!< flipped triangles, ascending
 };
 
 //! Compares a deformed shape with the mesh at rest.
 //!
-//! A triangle is flipped if it was folded over onto a neighbour: across an edge they share the
-//! sheet is bent by more than 150 degrees (between the planes: 0 flat, 180 one on the other), and
-//! by at least 30 degrees more than at rest. Both triangles of such a pair are named, since the
-//! pair does not tell which of them turned. Only angles between neighbours count: a mesh that is
-//! turned as a whole, even upside down, has no flipped triangle, nor has a hem that was folded at
-//! rest; and it does not matter how triangles are oriented. Degenerate triangles have no plane and
-//! are left out. Edges without length at rest are left out of the stretches.
+//! A triangle counts as flipped if it is folded onto a neighbour. The bend across their common edge
+//! (0: flat, 180: one on the other) then exceeds 150 degrees and is at least 30 degrees more than
+//! at rest. Both triangles are listed, because the bend does not show which one flipped. Only bends
+//! count: a mesh rotated as a whole, even upside down, has no flipped triangles, and neither has a
+//! hem that was folded at rest. The orientation of the triangles has no effect. Degenerate
+//! triangles have no plane and are ignored. Edges of zero length at rest have no stretch and are
+//! ignored.
 //!
 //! \param points  (n, 3) deformed positions, mm
 //! \throws InvalidInput if the number of points differs, or one is not finite

@@ -31,8 +31,8 @@ VertexIds used_vertices(const TriangleMesh& mesh)
     return used;
 }
 
-// The vertices of a grid along an edge and a little beside it, ascending. Long edges go piece by
-// piece, so that only the cells they run through are looked into.
+// The vertices of a grid within `beside` (mm) of an edge's box, ascending. Splits a long edge into
+// pieces, so that it only searches cells along the edge.
 VertexIds along(const PointGrid& grid, const Vector3& from, const Vector3& way, double beside)
 {
     VertexIds found;
@@ -48,7 +48,7 @@ VertexIds along(const PointGrid& grid, const Vector3& from, const Vector3& way, 
     return found;
 }
 
-// Whether a vertex is inside an edge, away from its ends.
+// Whether a vertex lies inside an edge, away from its ends.
 bool is_inside(const Vector3& vertex, const Vector3& from, const Vector3& to, double tolerance)
 {
     const Vector3 way = to - from;

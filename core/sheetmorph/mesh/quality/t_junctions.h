@@ -6,18 +6,18 @@
 namespace sheetmorph::mesh
 {
 
-//! An open edge that runs through a vertex: what meets there does not fit together.
+//! An open edge that runs through a vertex, where the triangles do not fit together.
 struct TJunction
 {
     int from, to;  //!< the open edge
-    int vertex;    //!< on it, nearer than the tolerance, farther than it from both ends
+    int vertex;    //!< nearer to the edge than the tolerance, farther from both ends
 };
 
-//! The T-junctions of a mesh, one for every open edge and vertex.
+//! The T-junctions of a mesh, one per pair of open edge and vertex.
 //! \param tolerance  mm, >= 0
 std::vector<TJunction> t_junctions(const TriangleMesh& mesh, double tolerance);
 
-//! The same for edges of any kind.
+//! The same for given edges of any kind.
 std::vector<TJunction> junctions_on(const TriangleMesh& mesh,
                                     const std::vector<BoundaryEdge>& edges, double tolerance);
 

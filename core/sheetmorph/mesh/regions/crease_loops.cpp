@@ -11,7 +11,7 @@ namespace
 
 constexpr int none = -1;
 
-// The two neighbours of every vertex along creases; `none` where there are fewer or more than two.
+// The two neighbours of every vertex along creases; `none` if it does not have exactly two.
 std::vector<std::array<int, 2>> crease_neighbours(const TriangleMesh& mesh, const EdgeTable& table,
                                                   double angle)
 {
@@ -62,7 +62,8 @@ std::vector<VertexIds> crease_loops(const TriangleMesh& mesh, const EdgeTable& t
             before = here;
             here = ahead;
         }
-        // The last step leads back to the start, or the chain ran into a junction.
+        // The path is a loop if its last step leads back to the start; otherwise it ran into a
+        // junction.
         if (path.size() > 2 && (next[path.back()][0] == start || next[path.back()][1] == start))
             loops.push_back(path);
     }

@@ -7,14 +7,14 @@
 namespace sheetmorph::mesh
 {
 
-//! One flag a member of 0 .. count - 1.
+//! One flag per id in 0 .. count - 1.
 using Flags = std::vector<char>;
 
-//! Set for the ids, which may be repeated.
-//! \throws InvalidInput that names `what` and the ids that are not in 0 .. count - 1
+//! The flags of some ids; ids may be repeated.
+//! \throws InvalidInput naming `what` and the ids outside 0 .. count - 1
 Flags flags_of(const std::vector<int>& ids, int count, const std::string& what);
 
-//! The members whose flag has a value, ascending.
+//! The ids whose flag has a value, ascending.
 std::vector<int> ids_of(const Flags& flags, char value = 1);
 
 }  // namespace sheetmorph::mesh

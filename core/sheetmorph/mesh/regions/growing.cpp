@@ -19,7 +19,7 @@ namespace
 
 constexpr int none = -1;
 
-// Sets the flag of every vertex that shares a triangle with a flagged one, `rings` times.
+// Flags every vertex that shares a triangle with a flagged one, `rings` times.
 void spread(const TriangleMesh& mesh, Flags& flags, int rings)
 {
     if (rings < 0)
@@ -44,8 +44,8 @@ void spread(const TriangleMesh& mesh, Flags& flags, int rings)
     }
 }
 
-// The flood of grow_to_creases. Each triangle reached has a plane: its own, or for one too thin to
-// have any, that of the triangle it was reached from.
+// The flood fill of grow_to_creases(). Each reached triangle has a plane. A degenerate triangle
+// inherits the plane of the triangle from which it was reached.
 class CreaseFlood
 {
 public:

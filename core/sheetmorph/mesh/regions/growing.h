@@ -6,24 +6,24 @@
 namespace sheetmorph::mesh
 {
 
-//! Every function here takes ids in any order, repeated or not, and returns them ascending, once.
-//! All throw InvalidInput that names ids outside the mesh.
+//! All functions take ids in any order with repetitions and return them ascending without
+//! repetitions. They throw InvalidInput naming ids outside the mesh.
 
-//! The vertices and all that share a triangle with them, `rings` times over; rings >= 0.
+//! Adds all vertices that share a triangle with the set, `rings` times; rings >= 0.
 VertexIds grow_rings(const TriangleMesh& mesh, const VertexIds& vertices, int rings);
 
-//! The vertices without those that share a triangle with a vertex outside, `rings` times over.
-//! The border of the mesh does not shrink by itself.
+//! Removes all vertices that share a triangle with a vertex outside the set, `rings` times. The
+//! border of the mesh alone does not make the set shrink.
 VertexIds shrink_rings(const TriangleMesh& mesh, const VertexIds& vertices, int rings);
 
-//! The triangles reached from one across edges at which the sheet bends by less than `max_angle`
-//! (radians, between the planes, 0 flat, pi folded back), however the triangles are oriented.
-//! Triangles too thin to have a plane are crossed, and carry the plane they were reached from.
+//! The triangles reached from one triangle across edges that bend by less than `max_angle`
+//! (radians; 0: flat, pi: folded back). The orientation of the triangles has no effect. A
+//! degenerate triangle is crossed with the plane of the triangle before it.
 std::vector<int> grow_to_creases(const TriangleMesh& mesh, int triangle, double max_angle);
 std::vector<int> grow_to_creases(const TriangleMesh& mesh, const EdgeTable& table, int triangle,
                                  double max_angle);
 
-//! The triangles connected with one through shared vertices: its connected component.
+//! The connected component of a triangle, through shared vertices.
 std::vector<int> connected_triangles(const TriangleMesh& mesh, int triangle);
 
 //! The triangles whose three corners are all among the vertices.

@@ -7,15 +7,15 @@
 namespace sheetmorph::mesh
 {
 
-//! A boundary loop that is a circle.
+//! A circular boundary loop.
 struct RoundHole
 {
-    VertexIds rim;  //!< in order, as boundary_loops gives it
+    VertexIds rim;  //!< in the order of boundary_loops()
     fitting::CircleFit circle;
 };
 
-//! The boundary loops of at least 6 vertices whose residual is below tolerance * radius, in the
-//! order of boundary_loops; a round outer border is one of them.
+//! The boundary loops of at least 6 vertices whose residual from a circle is below tolerance *
+//! radius, in the order of boundary_loops(). They include a round outer border.
 //! \param tolerance  no unit, > 0
 std::vector<RoundHole> round_holes(const TriangleMesh& mesh, double tolerance);
 

@@ -9,8 +9,8 @@
 namespace sheetmorph::mesh
 {
 
-//! What hangs on a sheet hangs on a point of one triangle: beta_0 p_0 + beta_1 p_1 + beta_2 p_2
-//! over three vertices, which may be one and the same.
+//! A point of a triangle to which something is attached: beta_0 p_0 + beta_1 p_1 + beta_2 p_2. The
+//! three vertices may be the same.
 struct Anchor
 {
     std::array<int, 3> corners{};
@@ -18,7 +18,7 @@ struct Anchor
 
     static Anchor at_vertex(int vertex) { return {{vertex, vertex, vertex}, Vector3::UnitX()}; }
 
-    //! The place that was hit on rows of `triangles`.
+    //! The hit point on rows of `triangles`.
     static Anchor at(const Hit& hit, const Triangles& triangles)
     {
         const auto corners = triangles.row(hit.triangle);
@@ -33,7 +33,7 @@ struct Anchor
         return corners[static_cast<std::size_t>(corner)];
     }
 
-    //! The sum of what its corners have, each times its weight.
+    //! The weighted sum of the corners' vectors.
     template <typename OfCorner>
     Vector3 sum(OfCorner of_corner) const
     {
@@ -43,13 +43,14 @@ struct Anchor
         return sum;
     }
 
-    //! The point on rows of `values` (n, 3): positions, or rotation logs.
+    //! The value at the point, interpolated from rows of `values` (n, 3): positions or rotation
+    //! logs.
     Vector3 on(const Points& values) const
     {
         return sum([&](int corner) { return Vector3(values.row(corner)); });
     }
 
-    //! The mean of the matrices of its corners; exactly theirs where they agree.
+    //! The weighted mean of the corners' matrices; bitwise equal to them if they are all equal.
     template <typename OfCorner>
     Matrix3 mean(OfCorner of_corner) const
     {
@@ -60,7 +61,7 @@ struct Anchor
         return first + change;
     }
 
-    //! The rotation of its frame; exactly that of its corners where they agree.
+    //! The rotation at the point; bitwise equal to that of the corners if they are all equal.
     template <typename OfCorner>
     Matrix3 rotation(OfCorner of_corner) const
     {

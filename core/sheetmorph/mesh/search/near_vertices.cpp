@@ -18,7 +18,7 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// Which vertices may be one: those of one piece, and any at an open edge.
+// Decides which vertices may merge: those of the same piece, and any vertex at an open edge.
 class Seams
 {
 public:
@@ -52,7 +52,7 @@ std::vector<std::pair<int, int>> near_pairs(const Points& points, double toleran
     if (points.rows() == 0)
         return {};
     const Vector3 extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).transpose();
-    // Finer cells than this would not fit the numbers that count them.
+    // With smaller cells, the cell indices would overflow.
     const double side = std::max({4.0 * tolerance, 1e-15 * extent.maxCoeff(), 1e-300});
     const PointGrid grid(points, side);
     std::vector<std::pair<int, int>> pairs;
@@ -74,7 +74,7 @@ Weld weld(const TriangleMesh& mesh, double tolerance)
 {
     const Points& points = mesh.points();
     Seams seams(mesh);
-    // Equal points first, by sorting: a mesh without common vertices has many copies of each.
+    // Sorts equal points first, because a mesh without shared vertices has many copies of each.
     std::vector<int> order(static_cast<std::size_t>(points.rows()));
     std::iota(order.begin(), order.end(), 0);
     const auto row = [&](int i) { return std::tuple(points(i, 0), points(i, 1), points(i, 2)); };

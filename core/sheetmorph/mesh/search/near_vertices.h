@@ -8,19 +8,18 @@
 namespace sheetmorph::mesh
 {
 
-//! The pairs (i, j), i < j, of points no farther than `tolerance` apart, ascending.
-//! \param tolerance  mm, >= 0; 0 finds the points that are equal
+//! The pairs (i, j), i < j, of points at most `tolerance` apart, ascending.
+//! \param tolerance  mm, >= 0; 0 finds equal points
 //! \throws InvalidInput if it is negative or not finite
 std::vector<std::pair<int, int>> near_pairs(const Points& points, double tolerance);
 
-//! Which vertices are one place, over chains of pairs no farther apart than a tolerance. Vertices
-//! of two pieces that only touch stay two; those at an open edge are welded with whatever is near.
+//! Clusters of vertices to merge, chained by pairs at most a tolerance apart. Vertices of two
+//! pieces that only touch stay separate. A vertex at an open edge merges with any near vertex.
 struct Weld
 {
-    std::vector<int>
-        first;      //!< (n) the first vertex in the place of each, itself if none is before
-    int equal = 0;  //!< vertices exactly where an earlier one is, and one with it
-    int near = 0;   //!< pairs of different places within the tolerance
+    std::vector<int> first;  //!< (n) by vertex: the first vertex of its cluster
+    int equal = 0;           //!< vertices merged with an earlier one at exactly the same position
+    int near = 0;            //!< pairs of different positions within the tolerance
 };
 
 //! \throws InvalidInput if the tolerance (mm) is negative or not finite

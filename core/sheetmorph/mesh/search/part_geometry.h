@@ -11,12 +11,12 @@
 namespace sheetmorph::mesh
 {
 
-//! What all who read one mesh share: each worked out once, when it is first asked for, by any
-//! thread. What is only needed around some vertices - areas, normals, rings - is taken of patch().
+//! Geometry that all readers of one mesh share. Each item is computed on first use, by any thread.
+//! For areas, normals and rings around a few vertices, use patch().
 class PartGeometry
 {
 public:
-    //! \param mesh  outlives it
+    //! \param mesh  must outlive this object
     explicit PartGeometry(const TriangleMesh& mesh) : mesh_(mesh) {}
     PartGeometry(const PartGeometry&) = delete;
     PartGeometry& operator=(const PartGeometry&) = delete;
@@ -25,7 +25,7 @@ public:
     const VertexTriangles& triangles() const;
     const PickingTree& tree() const;
 
-    //! All triangles that have at least one of the vertices: their rings are whole.
+    //! All triangles that contain at least one of the vertices, so that their rings are complete.
     Submesh patch(const VertexIds& vertices) const;
 
 private:

@@ -69,8 +69,8 @@ double distance_to_box(const Vector3& point, const Box& box)
     return (1.0 - 1e-14) * (nearest - point).norm();
 }
 
-// What is asked about a point; best: the nearest place so far.
-struct FromPoint
+// The place nearest to a point; best: so far.
+struct PointQuery
 {
     Vector3 point;
     Hit best;
@@ -81,35 +81,12 @@ struct FromPoint
         return distance_to_box(point, box);
     }
 
-    Hit place_on(int triangle, const std::array<Vector3, 3>& corners) const
+    void try_triangle(int triangle, const std::array<Vector3, 3>& corners)
     {
         Hit hit = nearest_on_triangle(point, corners);
         hit.triangle = triangle;
-        return hit;
-    }
-};
-
-// The nearest place.
-struct PointQuery : FromPoint
-{
-    void try_triangle(int triangle, const std::array<Vector3, 3>& corners)
-    {
-        const Hit hit = place_on(triangle, corners);
         if (std::pair(hit.distance, hit.triangle) < std::pair(best.distance, best.triangle))
             best = hit;
-    }
-};
-
-// Every place that is near enough; best.distance stays the radius.
-struct RangeQuery : FromPoint
-{
-    std::vector<Hit> found;
-
-    void try_triangle(int triangle, const std::array<Vector3, 3>& corners)
-    {
-        const Hit hit = place_on(triangle, corners);
-        if (hit.distance <= best.distance)
-            found.push_back(hit);
     }
 };
 
@@ -253,17 +230,6 @@ std::optional<Hit> PickingTree::nearest_hit(const Vector3& origin, const Vector3
     return query.best.distance < far_away ? std::optional<Hit>(query.best) : std::nullopt;
 }
 
-std::vector<Hit> PickingTree::places_within(const Vector3& point, double radius) const
-{
-    require_finite(point);
-    RangeQuery query{{point, nothing_yet()}, {}};
-    query.best.distance = radius;
-    visit(query);
-    std::sort(query.found.begin(), query.found.end(),
-              [](const Hit& a, const Hit& b) { return a.triangle < b.triangle; });
-    return std::move(query.found);
-}
-
 std::vector<int> PickingTree::triangles_between(const Planes& planes) const
 {
     std::vector<int> found;
@@ -363,7 +329,7 @@ std::vector<std::pair<int, int>> PickingTree::pairs_where(
 std::optional<Hit> PickingTree::nearest_point(const Vector3& point, double reach) const
 {
     require_finite(point);
-    PointQuery query{{point, nothing_yet()}};
+    PointQuery query{point, nothing_yet()};
     query.best.distance = reach;
     visit(query);
     const bool is_found = query.best.triangle < std::numeric_limits<int>::max();

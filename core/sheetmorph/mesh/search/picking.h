@@ -48,10 +48,6 @@ public:
     std::optional<Hit> nearest_point(const Vector3& point,
                                      double reach = std::numeric_limits<double>::infinity()) const;
 
-    //! The place nearest to a point on every triangle that comes within `radius` (mm) of it, by
-    //! rising triangle. \throws InvalidInput if the point is not finite
-    std::vector<Hit> places_within(const Vector3& point, double radius) const;
-
     //! All triangles that reach to the inside of every plane, and a few near them, in no order.
     std::vector<int> triangles_between(const Planes& planes) const;
 

@@ -45,7 +45,7 @@ PointGrid::PointGrid(const Points& points, const VertexIds& chosen, double side)
         entries_[next[slot_of(cells[k])]++] = {cells[k], chosen[k]};
 }
 
-// No number of a cell is so large that it is not exact: places far away are in the last.
+// Clamps cell indices to a range in which doubles are exact; farther points fall in the last cell.
 PointGrid::Cell PointGrid::cell_of(const Vector3& place) const
 {
     constexpr double last = 1e15;

@@ -9,20 +9,19 @@
 namespace sheetmorph::mesh
 {
 
-//! Points in cells of space, hashed: answers what lies in a box, fast if it is not much larger than
-//! a cell.
+//! A hashed spatial grid of points. Box queries are fast if the box is not much larger than a cell.
 class PointGrid
 {
 public:
-    //! \param points  (n, 3) mm; referred to, not copied
-    //! \param chosen  those that are found; ascending
-    //! \param side    of a cell, mm
+    //! \param points  (n, 3) mm; referenced, not copied
+    //! \param chosen  rows to insert; ascending
+    //! \param side    cell size, mm
     PointGrid(const Points& points, const VertexIds& chosen, double side);
     PointGrid(const Points& points, double side);
 
     double side() const { return side_; }
 
-    //! use(i) for every point inside a box or on it, in no order.
+    //! Calls use(i) for every point inside a box or on its border, in undefined order.
     template <typename Use>
     void for_each_in(const Vector3& low, const Vector3& high, const Use& use) const
     {
@@ -41,7 +40,7 @@ public:
                     const Cell cell = {x, y, z};
                     const std::size_t slot = slot_of(cell);
                     for (std::size_t k = starts_[slot]; k < starts_[slot + 1]; ++k)
-                        // Other cells may have the same slot.
+                        // Different cells may share a slot.
                         if (entries_[k].cell == cell && is_in(entries_[k].point, low, high))
                             use(entries_[k].point);
                 }
@@ -67,8 +66,9 @@ private:
     const Points& points_;
     Vector3 low_;
     double side_;
-    std::vector<Entry> entries_;       // by slot
-    std::vector<std::size_t> starts_;  // of every slot; a power of two and the end
+    std::vector<Entry> entries_;  // sorted by slot
+    // First entry of every slot, and the end; the number of slots is a power of two.
+    std::vector<std::size_t> starts_;
 };
 
 }  // namespace sheetmorph::mesh

@@ -13,7 +13,8 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// The squared height over the longest edge of a triangle whose plane rounding leaves uncertain.
+// Squared ratio of height to longest edge; below it, rounding makes the plane of a triangle
+// uncertain.
 constexpr double thin = 1e-10;
 
 Vector3 point_at(const TriangleCorners& corners, const Vector3& barycentric)
@@ -34,7 +35,7 @@ void keep_nearer(const Vector3& point, const TriangleCorners& corners, const Vec
     }
 }
 
-// The parameter of the place on a - b nearest to a point, 0 at a.
+// The parameter of the point of segment a - b nearest to `point`; 0 at a.
 double nearest_on_segment(const Vector3& point, const Vector3& a, const Vector3& b)
 {
     const double length = (b - a).squaredNorm();
@@ -50,7 +51,7 @@ Hit hit_at(const Vector3& point, const TriangleCorners& corners, const Vector3& 
     return hit;
 }
 
-// Of any triangle, a line and a point too.
+// Handles any triangle, also one degenerate to a segment or a point.
 Hit nearest_on_thin_triangle(const Vector3& point, const TriangleCorners& corners)
 {
     Hit best;
@@ -152,7 +153,8 @@ std::optional<Hit> first_hit(const Eigen::Ref<const Points>& points,
     return best;
 }
 
-// By the region of the plane the point is over (Ericson, Real-Time Collision Detection, 5.1.5).
+// Distinguishes the Voronoi regions of the triangle (Ericson, Real-Time Collision Detection,
+// 5.1.5).
 Hit nearest_on_triangle(const Vector3& point, const TriangleCorners& corners)
 {
     const Vector3 ab = corners[1] - corners[0], ac = corners[2] - corners[0];

@@ -15,8 +15,8 @@ namespace
 
 constexpr int none = -1;
 
-// End 2k of boundary edge k is at its `from`, end 2k + 1 at its `to`. At every vertex the ends are
-// joined two by two; following the joints from edge to edge gives the loops.
+// End 2k of boundary edge k is at its `from`, end 2k + 1 at its `to`. The ends at every vertex are
+// joined in pairs. Following these joints from edge to edge gives the loops.
 class LoopTracer
 {
 public:
@@ -38,13 +38,12 @@ private:
     const TriangleMesh& mesh_;
     EdgeTable table_;
     std::vector<BoundaryEdge> edges_;
-    std::vector<int> boundary_index_;  // of each edge of the table, or none
-    std::vector<int> joint_;           // of each end: the end it is joined to, or none
-    std::vector<char> is_traced_;      // of each boundary edge
-    std::vector<int> place_in_path_;   // of each vertex, or none
+    std::vector<int> boundary_index_;  // by edge of the table; or none
+    std::vector<int> joint_;           // by end: the end it is joined to, or none
+    std::vector<char> is_traced_;      // by boundary edge
+    std::vector<int> place_in_path_;   // by vertex; or none
     VertexIds path_;
-    std::vector<int>
-        agreement_;  // of each step from path_[i]: +1 along its triangle, -1 against it
+    std::vector<int> agreement_;  // by step from path_[i]: +1 along its triangle, -1 against it
     std::vector<VertexIds> loops_;
 };
 
@@ -76,8 +75,8 @@ void LoopTracer::join(int a, int b)
     joint_[b] = a;
 }
 
-// Two ends belong together that bound the same fan of triangles around the vertex. Where a fan
-// stops at an edge of three sheets, the straightest continuations are taken.
+// Joins two ends that bound the same fan of triangles around the vertex. If a fan stops at an edge
+// of three sheets, it joins the ends that continue straightest.
 void LoopTracer::join_ends_at(int vertex, const std::vector<int>& ends)
 {
     if (ends.size() == 2)
@@ -170,7 +169,7 @@ std::vector<VertexIds> LoopTracer::loops()
     return loops_;
 }
 
-// Walks from edge to edge; whenever the path meets itself, the closed part is a loop of its own.
+// Follows the joints. Whenever the path meets itself, it cuts off the closed part as a loop.
 void LoopTracer::trace(int end)
 {
     path_.assign(1, vertex_of(end));

@@ -6,26 +6,27 @@
 namespace sheetmorph::mesh
 {
 
-//! An edge that exactly one triangle uses, in that triangle's direction.
+//! An edge with exactly one triangle, in that triangle's direction.
 struct BoundaryEdge
 {
     int from, to;
     int triangle;
 };
 
-//! The boundary edges of any triangles, by rising (smaller vertex, larger vertex). Triangles that
-//! repeat a vertex are left out, and a triangle given twice counts once.
+//! The boundary edges of any triangles, ordered by (smaller vertex, larger vertex). Triangles that
+//! repeat a vertex are ignored, and duplicate triangles count once.
 std::vector<BoundaryEdge> boundary_edges(const TriangleMesh& mesh);
 
 //! The closed loops of boundary edges: each vertex once, in order along the rim.
-//! A loop starts at its smallest vertex and runs as most of its triangles do (the sheet on the
-//! left, seen against the normals); loops come by rising first vertex. Where several loops touch in
-//! a vertex each gets its own, so that two holes that meet in a vertex are two loops. A chain of
-//! boundary edges that ends where three sheets meet (a T-joint) closes no loop and is left out.
+//! A loop starts at its smallest vertex and follows the direction of most of its triangles: the
+//! sheet is on the left, seen against the normals. Loops are ordered by first vertex. Loops that
+//! touch in a vertex are separated, so two holes that meet in a vertex give two loops. A chain that
+//! ends where three sheets meet (a T-joint) is not closed and is omitted.
 std::vector<VertexIds> boundary_loops(const TriangleMesh& mesh);
 
-//! The loop through a vertex; of several the one with the fewest vertices (the hole, not the
-//! border). \throws InvalidInput if the vertex does not exist or is on no closed boundary loop
+//! The loop through a vertex; of several loops the one with the fewest vertices (the hole, not the
+//! border).
+//! \throws InvalidInput if the vertex does not exist or is not on a closed boundary loop
 VertexIds boundary_loop_at(const TriangleMesh& mesh, int vertex);
 
 }  // namespace sheetmorph::mesh

@@ -24,7 +24,7 @@ int high(const EdgeUse& use)
     return std::max(use.from, use.to);
 }
 
-// Two triangles over the same vertices come side by side, so that the second is found.
+// Sorts duplicate triangles next to each other, so that the second is detected.
 bool is_before(const EdgeUse& a, const EdgeUse& b)
 {
     return std::tuple(high(a), a.opposite, a.triangle)
@@ -52,7 +52,7 @@ EdgeTable::EdgeTable(const TriangleMesh& mesh)
     number_edges(mesh);
 }
 
-// A bucket per smaller vertex, then the few uses inside each bucket.
+// One bucket per smaller vertex, then a sort of the few uses in each bucket.
 void EdgeTable::sort_uses(const TriangleMesh& mesh)
 {
     const Triangles& triangles = mesh.triangles();

@@ -6,7 +6,7 @@
 namespace sheetmorph::mesh
 {
 
-//! A triangle at an edge: the edge runs from its corner `from` to its corner `to`.
+//! A triangle at an edge; the edge runs from corner `from` to corner `to` of the triangle.
 struct EdgeUse
 {
     int triangle;
@@ -14,7 +14,7 @@ struct EdgeUse
     int opposite;  //!< the vertex of the triangle that is not on the edge
 };
 
-//! The uses of one edge, by rising opposite vertex.
+//! The uses of one edge, ordered by opposite vertex.
 struct EdgeUses
 {
     const EdgeUse* first;
@@ -25,9 +25,9 @@ struct EdgeUses
     int count() const { return static_cast<int>(last - first); }
 };
 
-//! The edges of any triangles, by rising (smaller vertex, larger vertex).
-//! A triangle that repeats a vertex has no edges; of triangles over the same three vertices only
-//! the first counts, so that a doubled element does not hide a border.
+//! The edges of any triangles, ordered by (smaller vertex, larger vertex). A triangle that repeats
+//! a vertex has no edges. Of duplicate triangles only the first counts, so that a duplicate element
+//! does not hide a border.
 class EdgeTable
 {
 public:
@@ -36,7 +36,8 @@ public:
     int count() const { return static_cast<int>(starts_.size()) - 1; }
     EdgeUses uses(int edge) const;
 
-    //! The edge of side k of a triangle, from its corner k to the next; -1 if it does not count.
+    //! The edge of side k of a triangle, from its corner k to the next; -1 if the triangle is
+    //! ignored.
     int edge_of(int triangle, int k) const { return edge_of_side_[3 * triangle + k]; }
 
 private:
@@ -45,13 +46,13 @@ private:
     void number_edges(const TriangleMesh& mesh);
 
     std::vector<EdgeUse> uses_;
-    std::vector<int> starts_;        // of each edge in uses_, and the end
-    std::vector<int> edge_of_side_;  // 3 a triangle
+    std::vector<int> starts_;        // by edge: its first entry in uses_, and the end
+    std::vector<int> edge_of_side_;  // 3 per triangle
 };
 
-//! How far two triangles at an edge are bent out of one plane, radians: 0 (flat) to pi (one folded
-//! onto the other). It does not depend on how the triangles are oriented. 0 if one of them has no
-//! extent across the edge.
+//! Angle between the planes of two triangles at an edge, radians: 0 (flat) to pi (folded onto each
+//! other). It does not depend on the orientation of the triangles. 0 if one of them has no extent
+//! across the edge.
 double bend_angle(const Points& points, const EdgeUse& one, const EdgeUse& other);
 
 }  // namespace sheetmorph::mesh

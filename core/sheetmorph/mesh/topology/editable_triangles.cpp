@@ -115,8 +115,8 @@ int EditableTriangles::split(int t, int k)
     return m;
 }
 
-// Whether a vertex of a triangle has more than three triangles around it, or more than one at a
-// border: one of them may go.
+// Whether a vertex of a triangle can lose a triangle: it has more than three, or more than one at a
+// border.
 bool EditableTriangles::keeps_three(int t, int v) const
 {
     int here = t, count = 0;
@@ -184,7 +184,7 @@ void EditableTriangles::collapse(int v, int to)
             triangle_at_[index(to)] = t;
             continue;
         }
-        // The sides at `v` and at `to` become one; their neighbours meet there.
+        // The sides at `v` and at `to` merge, so their outer neighbours become adjacent.
         const int third = 3 - k - at_to;
         const int outer = across(t, (at_to + 1) % 3 == third ? at_to : third);
         const int inner = across(t, (k + 1) % 3 == third ? k : third);

@@ -10,26 +10,28 @@
 namespace sheetmorph::mesh
 {
 
-//! Triangles whose sides can be split and exchanged and whose vertices can be removed, as remeshing
-//! does. It knows corners and neighbours; where the vertices lie is the caller's.
+//! Triangles with operations for remeshing: split, flip and collapse. The class stores only corners
+//! and neighbours; the caller stores the positions.
 class EditableTriangles
 {
 public:
     struct Triangle
     {
         std::array<int, 3> corner = {-1, -1, -1};
-        std::array<int, 3> across = {-1, -1, -1};  //!< over the side from corner k to the next;
-                                                   //!< -1 where the triangles end or are cut
+        //! Across the side from corner k to the next; -1 at a border or cut.
+        std::array<int, 3> across = {-1, -1, -1};
 
         bool is_alive() const { return corner[0] >= 0; }
     };
 
-    //! Neighbours are those that share a side of two triangles and run along it either way.
-    //! \param cuts  sides that must stay (smaller vertex, larger vertex), sorted: none are
-    //!              neighbours over them
+    //! Neighbours share a side that has exactly two triangles and run along it in opposite
+    //! directions.
+    //! \param cuts  sides without neighbours (smaller vertex, larger vertex), sorted; they stay
+    //!              unchanged
     EditableTriangles(const TriangleMesh& mesh, const std::vector<std::pair<int, int>>& cuts);
 
-    //! Whether a triangle stands twice, three share a side, or two run along one the same way.
+    //! Whether there are duplicate triangles, sides of three triangles, or inconsistent
+    //! orientations.
     bool has_clash() const { return has_clash_; }
 
     int count() const { return static_cast<int>(triangles_.size()); }
@@ -39,49 +41,51 @@ public:
     int corner(int t, int k) const { return triangle(t).corner[index(k % 3)]; }
     int across(int t, int k) const { return triangle(t).across[index(k % 3)]; }
 
-    //! Which corner of a triangle a vertex is; -1 if it is none.
+    //! The corner of a triangle at a vertex; -1 if it does not contain the vertex.
     int corner_of(int t, int v) const;
 
-    //! One of the triangles at a vertex; -1 if there is none.
+    //! One of the triangles at a vertex; -1 without one.
     int triangle_at(int v) const { return triangle_at_[index(v)]; }
 
-    //! Whether side k of a triangle may be split and exchanged.
+    //! Whether side k of a triangle may be split and flipped.
     bool is_free_side(int t, int k) const { return across(t, k) >= 0; }
 
-    //! The vertex over free side k of a triangle.
+    //! The apex of the neighbour across free side k.
     int opposite(int t, int k) const;
 
-    //! The triangles at a vertex that can be reached from one of them without leaving it.
+    //! The triangles at a vertex that are connected to one of them across sides at the vertex.
     std::vector<int> fan(int t, int v) const;
     std::vector<int> around(int v) const { return fan(triangle_at(v), v); }
 
-    //! The vertices beside one, of the triangles of fan(), sorted.
+    //! The neighbours of a vertex within fan(), sorted.
     std::vector<int> neighbours(int t, int v) const;
 
-    //! Puts a vertex on a free side; two triangles come last. \returns its index
+    //! Inserts a vertex on a free side and appends two triangles.
+    //! \returns index of the vertex
     int split(int t, int k);
 
-    //! Whether flip() keeps a surface: the other diagonal is no side yet, and the ends of this one
-    //! keep three triangles each.
+    //! Whether flip() keeps the surface manifold: the other diagonal is not yet a side, and the
+    //! ends of this side keep three triangles each, or one at a border.
     bool may_flip(int t, int k) const;
 
-    //! Exchanges a free side for the other diagonal of its two triangles, which may_flip() allows.
+    //! Replaces a free side by the other diagonal of its two triangles. Requires may_flip().
     void flip(int t, int k);
 
-    //! Whether collapse() over side k of a triangle keeps a surface: its ends have no neighbours in
-    //! common but the vertices opposite that side, no triangles in common but those beside it, and
-    //! the vertices opposite keep three triangles, or two at a border (Dey et al. 1999).
+    //! Whether collapse() of side k keeps the surface manifold (Dey et al. 1999). The ends must
+    //! share only the two opposite vertices and the two triangles at the side. The opposite
+    //! vertices must keep three triangles, or one at a border.
     bool may_collapse(int t, int k) const;
 
-    //! Removes vertex `v`, around which triangles close, by moving it onto its neighbour `to`,
-    //! which may_collapse() allows; triangles die.
+    //! Removes vertex `v`, whose triangles must form a closed fan, by moving it onto its neighbour
+    //! `to`. Requires may_collapse(). Two triangles disappear.
     void collapse(int v, int to);
 
-    //! What is wrong with the neighbours of the triangles, empty if nothing: for tests, which check
-    //! it after every step.
+    //! Describes an inconsistency between neighbours; empty if there is none. Tests call it after
+    //! every step.
     std::string fault() const;
 
-    //! work(t, k) for every side once, for those without neighbour from either triangle.
+    //! Calls work(t, k) once for every side between two triangles, and for every side without a
+    //! neighbour.
     template <typename Work>
     void for_each_side(Work&& work) const
     {
@@ -93,7 +97,7 @@ public:
     }
 
 private:
-    // Triangles (a, b, c) and, across its side (a, b), (b, a, d); and what lies over their sides.
+    // Triangles (a, b, c) and, across side (a, b), (b, a, d), and their outer neighbours.
     struct Diamond
     {
         int other, a, b, c, d, bc, ca, ad, db;

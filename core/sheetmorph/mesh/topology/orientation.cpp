@@ -15,10 +15,10 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// Of the solid angle all around, 4 pi: more is inside.
+// Half of the full solid angle 4 pi; a larger angle means inside.
 constexpr double half_turn_of_space = 6.283185307179586;
 
-// Turns the triangles of one piece alike, beginning at `seed`; returns them.
+// Orients the triangles of one piece like `seed`. Returns the piece.
 std::vector<int> orient_piece(const EdgeTable& table, int seed, Orientation& orientation)
 {
     std::vector<int> piece{seed};
@@ -44,7 +44,7 @@ std::vector<int> orient_piece(const EdgeTable& table, int seed, Orientation& ori
     return piece;
 }
 
-// The triangles of every piece across edges of two triangles that has no open edge.
+// The triangles of every piece without an open edge, connected across edges of two triangles.
 std::vector<std::vector<int>> closed_pieces(const TriangleMesh& mesh, const EdgeTable& table)
 {
     DisjointSets sets(mesh.triangle_count());

@@ -6,27 +6,28 @@
 namespace sheetmorph::mesh
 {
 
-//! How the triangles of a mesh would all face one way.
+//! The flips that orient the triangles of a mesh consistently.
 struct Orientation
 {
-    std::vector<int> sign;     //!< (m) +1 as it is, -1 turned over; the fewer of each piece turn
+    std::vector<int> sign;     //!< (m) +1 unchanged, -1 flipped; the minority of each piece flips
     std::vector<int> flipped;  //!< the triangles with -1, ascending
     bool is_possible = true;   //!< false if a piece is one-sided (a Moebius strip)
 };
 
-//! Across every edge that two triangles share, both are made to face the same way; pieces meet in
-//! nothing but edges of one or of three and more triangles. Closed pieces that face inwards as a
-//! whole are not turned: signed_volume tells them.
+//! Orients both triangles alike at every edge that has exactly two. Pieces are separated by edges
+//! with one triangle, or three and more. Closed pieces that face inwards as a whole stay inwards;
+//! signed_volume() detects them.
 Orientation consistent_orientation(const TriangleMesh& mesh, const EdgeTable& table);
 
-//! The same, and every closed piece that no other one encloses faces outwards. Enclosed pieces,
-//! which may be voids, face as most of their triangles do.
+//! The same, with every closed piece outwards that no other piece encloses. Enclosed pieces may be
+//! voids; they follow the majority of their triangles.
 Orientation outward_orientation(const TriangleMesh& mesh, const EdgeTable& table);
 
-//! The triangles as `orientation` turns them.
+//! The triangles with the flips of `orientation` applied.
 TriangleMesh oriented(const TriangleMesh& mesh, const Orientation& orientation);
 
-//! The volume some triangles enclose, mm^3, as `sign` turns them: positive if they face outwards.
+//! The volume that triangles enclose with their orientation in `sign`, mm^3; positive if they face
+//! outwards.
 double signed_volume(const TriangleMesh& mesh, const std::vector<int>& triangles,
                      const std::vector<int>& sign);
 

@@ -14,7 +14,7 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// Radians by which sums of angles must differ to count as different.
+// Radians; sums of angles that differ by less count as equal.
 constexpr double equal_angles = 1e-9;
 
 using Quad = Eigen::RowVector4i;
@@ -37,7 +37,7 @@ Vector3 area_vector(const Points& points, int a, int b, int c)
 struct Split
 {
     double opposite_angles;
-    bool is_folded;  // its two triangles face opposite ways: it runs outside the quad
+    bool is_folded;  // its two triangles have opposite normals: it runs outside the quad
 
     Split(const Points& points, const Quad& quad)
         : opposite_angles(angle(points, quad(1), quad(0), quad(2))
@@ -49,7 +49,7 @@ struct Split
     }
 };
 
-// The quad, beginning at the corner where its diagonal starts.
+// The quad, rotated to start at its diagonal.
 Quad from_diagonal(const Points& points, const Quad& quad)
 {
     const Quad turned(quad(1), quad(2), quad(3), quad(0));
@@ -60,7 +60,7 @@ Quad from_diagonal(const Points& points, const Quad& quad)
     return there.opposite_angles < here.opposite_angles - equal_angles ? turned : quad;
 }
 
-// A polygon from which ears are cut, one after the other.
+// A polygon from which ears are cut one by one.
 class EarCutter
 {
 public:
@@ -73,7 +73,7 @@ public:
 
     Eigen::RowVector3i cut()
     {
-        // A blocked ear may have become free since its score was taken.
+        // A blocked ear may have become free since its score was computed.
         if (*std::max_element(scores_.begin(), scores_.end()) < 0.0)
             score_all();
         const auto best = std::max_element(scores_.begin(), scores_.end()) - scores_.begin();
@@ -108,7 +108,7 @@ private:
         return true;
     }
 
-    // The smallest angle of an ear; negative for what is none.
+    // The smallest angle of an ear, radians; negative if the corner is not an ear.
     double score(int k) const
     {
         const int ear[3] = {corner(k - 1), corner(k), corner(k + 1)};
@@ -124,7 +124,7 @@ private:
 
     const Points& points_;
     VertexIds left_;
-    std::vector<double> scores_;  // of the ear at each corner left
+    std::vector<double> scores_;  // by remaining corner
     Vector3 normal_ = Vector3::Zero();
 };
 

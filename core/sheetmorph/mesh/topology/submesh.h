@@ -6,12 +6,12 @@
 namespace sheetmorph::mesh
 {
 
-//! Some triangles of a mesh with the vertices they use.
+//! A subset of the triangles of a mesh with the vertices they use.
 struct Submesh
 {
-    TriangleMesh mesh;   //!< triangles in the order they were given
-    VertexIds vertices;  //!< (k) of the whole mesh, ascending
-    VertexIds index_of;  //!< (n) of every vertex of the whole mesh in `mesh`; -1 if it is not there
+    TriangleMesh mesh;   //!< triangles in the given order
+    VertexIds vertices;  //!< (k) vertices of the whole mesh, ascending
+    VertexIds index_of;  //!< (n) by vertex of the whole mesh: its index in `mesh`, or -1
 };
 
 //! \param triangles  rows of the mesh's triangles, each in range

@@ -6,13 +6,13 @@
 namespace sheetmorph::mesh
 {
 
-//! The triangles around every vertex of a mesh.
+//! The triangles at every vertex of a mesh.
 class VertexTriangles
 {
 public:
     explicit VertexTriangles(const TriangleMesh& mesh);
 
-    //! Some of them, ascending.
+    //! A sequence of triangles, ascending.
     struct Range
     {
         const int* first;
@@ -23,17 +23,17 @@ public:
         bool is_empty() const { return first == last; }
     };
 
-    //! A triangle that repeats the vertex comes as often as it has it.
+    //! A triangle that repeats the vertex is listed as often.
     Range at(int vertex) const
     {
         return {triangles_.data() + starts_[vertex], triangles_.data() + starts_[vertex + 1]};
     }
 
-    //! The triangles that have at least one of the vertices, ascending, each once.
+    //! The triangles that contain at least one of the vertices, ascending without repetitions.
     std::vector<int> around(const VertexIds& vertices) const;
 
 private:
-    std::vector<int> starts_;  // of each vertex in triangles_, and the end
+    std::vector<int> starts_;  // by vertex: its first entry in triangles_, and the end
     std::vector<int> triangles_;
 };
 

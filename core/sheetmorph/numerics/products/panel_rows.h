@@ -28,6 +28,8 @@ public:
     //! Replaces the rows from `first` on, a multiple of 8.
     void set(Eigen::Index first, const Weights& rows);
 
+    Eigen::Index rows() const { return rows_; }
+
     //! (r, 3). \param right  (k, 3)
     Points times(const Points& right, Exactness exactness = Exactness::exact) const;
 

@@ -15,7 +15,7 @@ namespace
 
 constexpr std::size_t fewest = 3;
 
-// Distance over the reach of a contact, up to which a vertex nearly touches.
+// A vertex within this many reaches of the other part can connect two touching vertices.
 constexpr double nearly = 3.0;
 
 class Clusterer
@@ -57,7 +57,7 @@ private:
         return static_cast<int>(i + (side == 0 ? 0 : touches_[0].size()));
     }
 
-    // The touching vertices around each, over one that nearly touches, too.
+    // Joins the touching neighbours of each vertex, also across one vertex that nearly touches.
     void join_neighbours(int side)
     {
         for (std::size_t i = 0; i < touches_[side].size(); ++i)
@@ -134,7 +134,7 @@ private:
     const std::array<std::vector<Touch>, 2>& touches_;
     double reach_;
     DisjointSets sets_;
-    std::array<std::map<int, int>, 2> place_;  // of a touching vertex in sets_
+    std::array<std::map<int, int>, 2> place_;  // index of a touching vertex in sets_
 };
 
 }  // namespace

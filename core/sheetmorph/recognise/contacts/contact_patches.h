@@ -8,19 +8,20 @@
 namespace sheetmorph::recognise
 {
 
-//! Touching vertices of two parts that hang together.
+//! A cluster of touching vertices of two parts.
 struct Patch
 {
-    std::array<VertexIds, 2> sides;  //!< of the welded meshes, ascending
-    double distance = 0.0;           //!< median, mm
-    double edge_share = 0.0;         //!< of the touches that are free edges only
+    std::array<VertexIds, 2> sides;  //!< vertices of the merged meshes, ascending
+    double distance = 0.0;           //!< median distance, mm
+    double edge_share = 0.0;         //!< share of the touches that only free edges make
 };
 
-//! The patches of a pair: vertices belong together along edges of their part,
-//! over a vertex between them that is a few times `reach` (mm, that of the
-//! touches) away, and across both parts by the triangle they touch. A side of fewer than three
-//! vertices takes in the corners of the triangles that the other side touches.
-//! By smallest vertex.
+//! Clusters the touching vertices of two parts into patches, ordered by their first vertex. Two
+//! vertices of a part join if they share a triangle, or if both share one with a vertex within
+//! three times `reach` of the other part. Vertices of different parts join if one is a corner of
+//! the triangle that the other touches. A side with fewer than three vertices also takes the
+//! corners of the triangles that the other side touches.
+//! \param reach  the contact distance used for `touches`, mm
 std::vector<Patch> patches_of(const PartShape& a, const PartShape& b,
                               const std::array<std::vector<Touch>, 2>& touches, double reach);
 

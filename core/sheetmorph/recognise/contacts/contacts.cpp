@@ -19,20 +19,20 @@ namespace sheetmorph::recognise
 namespace
 {
 
-constexpr double weld = 1e-7;
+constexpr double weld = 1e-7;  // as FeatureTolerances::weld
 
-// Over the size of the assembly: the largest gap ever proposed, and the
-// smallest. Sheets that are joined lie no farther apart than so many mm, however
-// large the assembly is.
+// Largest and smallest gap that is ever proposed, relative to the size of the assembly. Joined
+// sheets are at most farthest_joined mm apart, however large the assembly is.
 constexpr double widest_gap = 0.012;
 constexpr double closest_gap = 1e-3;
 constexpr double farthest_joined = 10.0;
 
-// Over the size of the assembly: elements longer than this carry masses or
-// loads, not joints.
+// Relative to the size of the assembly. Longer elements carry masses or loads and do not join
+// parts.
 constexpr double farthest_connection = 0.06;
 
-// See gap_before_quiet(); and the gap proposed over the largest one found.
+// gap_before_quiet() explains the first three. `above` is the ratio of the proposed gap to the gap
+// found.
 constexpr double quiet = 1.5;
 constexpr double fair_share = 0.2;
 constexpr double hardly_any = 0.03;
@@ -65,12 +65,11 @@ double size_of(const std::vector<PartShape>& shapes)
     return (high - low).norm();
 }
 
-// A place where two parts are near each other: the gap beyond their half
-// thicknesses, mm, and the area it stands for.
+// A pair of near surfaces: the gap beyond their half thicknesses in mm, the area it represents in
+// mm^2.
 using Gap = std::pair<double, double>;
 
-// Surfaces that face each other, and free edges on a surface no farther than
-// `closest`; ascending.
+// The gaps of facing surfaces, and of free edges on a surface up to `closest`; ascending.
 std::vector<Gap> gaps_between(const std::vector<PartShape>& shapes, double widest, double closest,
                               double facing_angle)
 {
@@ -91,9 +90,8 @@ std::vector<Gap> gaps_between(const std::vector<PartShape>& shapes, double wides
     return gaps;
 }
 
-// The smallest gap from `closest` on that takes a fair share of the area in and
-// is followed by hardly any up to half as much again; `closest` if there is
-// none.
+// The smallest gap from `closest` on that covers `fair_share` of the area, if the gaps up to
+// `quiet` times that gap add at most the share `hardly_any`. Returns `closest` if no gap qualifies.
 double gap_before_quiet(const std::vector<Gap>& gaps, double closest)
 {
     double all = 0.0;

@@ -20,12 +20,11 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// Share of a patch on flanges that makes it flange to flange; share of touches
-// with free edges only that makes it an edge.
+// Minimum share of a patch on flanges for a flange contact, and of touches by free edges alone for
+// an edge contact.
 constexpr double mostly = 0.6;
 
-// A patch within this many radii of the washers of its bolts is nothing besides
-// them.
+// A patch within this many washer radii of its bolts belongs to these bolts and is dropped.
 constexpr double bolt_reach = 2.2;
 
 bool share_any(const VertexIds& a, const VertexIds& b)
@@ -56,7 +55,8 @@ double share_on_flanges(const ContactPart& part, const VertexIds& vertices)
     return static_cast<double>(both.size()) / static_cast<double>(vertices.size());
 }
 
-// Sets of connections of one joint, or of joints that share a vertex: a label for each.
+// One label per connection. Connections of one joint, and those that share a vertex, have one
+// label.
 std::vector<int> labels_of(const std::vector<Connection>& connections)
 {
     DisjointSets sets(static_cast<int>(connections.size()));
@@ -231,8 +231,8 @@ void ContactCollector::measure(FoundContact& contact) const
     contact.size = (high - low).norm();
 }
 
-// One contact for each joint of a pair, and for joints that share a vertex. Several flexible ones
-// are a seam.
+// One contact per joint of a pair; joints that share a vertex form one contact. Several flexible
+// joints make a seam.
 std::vector<FoundContact> ContactCollector::welds_of(const Pair& pair) const
 {
     const std::vector<Connection>& connections = connected_.at(pair);
@@ -267,8 +267,8 @@ std::vector<FoundContact> ContactCollector::welds_of(const Pair& pair) const
     return found;
 }
 
-// The welds of a pair: flexible ones to the patch they stand in, which is a seam, rigid bodies and
-// all others as contacts of their own.
+// Adds the welds of a pair. A flexible weld turns the patch it touches into a seam. A rigid body,
+// or a weld outside all patches, becomes a contact of its own.
 void ContactCollector::add_connected(std::vector<FoundContact>& contacts, const Pair& pair)
 {
     const std::vector<Connection>& connections = connected_.at(pair);

@@ -10,23 +10,24 @@
 namespace sheetmorph::recognise
 {
 
-//! Puts together what bolts, elements and near surfaces say about the pairs of
-//! parts.
+//! Combines bolts, connecting elements and near surfaces into the contacts of each pair of parts.
 class ContactCollector
 {
 public:
-    //! Keeps references. \param tolerances  with a gap that is not negative
+    //! Keeps references to its arguments.
+    //! \param tolerances  with a gap >= 0
     ContactCollector(const std::vector<ContactPart>& parts, const std::vector<PartShape>& shapes,
                      const ContactTolerances& tolerances);
 
-    //! Elements between two parts, flexible ones no longer than `longest` (mm); those of one joint,
-    //! and joints that share a vertex, are one contact.
+    //! Adds the elements between two parts. Elements of one joint, and joints that share a vertex,
+    //! become one contact.
+    //! \param longest  mm; longer elements are skipped unless they belong to a rigid body
     void take_connections(const std::vector<Connection>& connections, double longest);
 
     void take_bolts(const std::vector<Bolt>& bolts);
 
-    //! The patches of a pair of parts; where flexible elements connect a patch it is theirs, a
-    //! seam.
+    //! Adds the patches where the surfaces of two parts touch. found() turns a patch with flexible
+    //! elements into a seam weld.
     void take_pair(int a, int b);
 
     std::vector<FoundContact> found();

@@ -11,8 +11,7 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// Cosine of the largest angle between the axes of two holes of one bolt (8
-// degrees).
+// Smallest cosine of the angle between the axes of two holes of one bolt (8 degrees).
 constexpr double parallel = 0.99;
 
 struct Hole
@@ -22,7 +21,7 @@ struct Hole
     Vector3 center;
     Vector3 axis;
     double radius;
-    double low;  // along its axis, from its center, of what it goes through
+    double low;  // extent of the hole along its axis, from its centre, mm
     double high;
 };
 
@@ -40,8 +39,8 @@ Hole hole_of(const ContactPart& part, int part_index, int feature_index)
     return hole;
 }
 
-// Distance between two holes along the axis of the first, 0 where they overlap;
-// negative if they are not coaxial.
+// Distance between two holes along the axis of the first: 0 if they overlap, negative if they are
+// not coaxial.
 double axial_distance(const Hole& a, const Hole& b, const ContactTolerances& tolerances)
 {
     const double smaller = std::min(a.radius, b.radius);

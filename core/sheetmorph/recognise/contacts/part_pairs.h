@@ -9,9 +9,8 @@
 namespace sheetmorph::recognise
 {
 
-//! The pairs of parts, smaller index first, whose boxes are no farther apart
-//! than `reach` and half of both thicknesses; ascending. A sweep along x: not
-//! every pair is looked at.
+//! The pairs of parts (smaller index first, ascending) whose boxes are at most `reach` plus half of
+//! both thicknesses apart. A sweep along x avoids testing every pair.
 std::vector<std::pair<int, int>> near_pairs(const std::vector<PartShape>& shapes, double reach);
 
 //! Two coaxial holes of different parts.
@@ -19,12 +18,11 @@ struct Bolt
 {
     int part_a, feature_a;
     int part_b, feature_b;
-    double distance = 0.0;  //!< between the nearest rims along the axis, mm
+    double distance = 0.0;  //!< axial distance between the nearest rims, mm
 };
 
-//! The pairs of coaxial round holes whose parts lie within `reach` (and half of
-//! both thicknesses) of each other there; each hole with the nearest of another
-//! part on either side.
+//! All pairs of coaxial round holes of different parts that are at most `reach` plus half of both
+//! thicknesses apart along the axis.
 std::vector<Bolt> find_bolts(const std::vector<ContactPart>& parts, double reach,
                              const ContactTolerances& tolerances);
 

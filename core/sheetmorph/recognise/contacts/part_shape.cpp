@@ -10,11 +10,12 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// Cosine below which the way to the nearest place runs along a surface rather
-// than across it.
+// If the cosine between the direction to the nearest point and the normal there is smaller, that
+// point lies sideways of the vertex and not opposite it.
 constexpr double sideways = 0.5;
 
-// Over the reach: so near that the direction of the way says nothing.
+// Relative to the reach. At smaller distances, rounding determines the direction to the nearest
+// point.
 constexpr double touching = 0.02;
 
 }  // namespace
@@ -48,7 +49,7 @@ PartShape::PartShape(const ContactPart& part, double weld)
     }
 }
 
-// Two solids face each other with their outsides; a sheet has no outside.
+// The outsides of two solids must face each other; a sheet may face with either side.
 bool PartShape::faces(int vertex, const PartShape& other, int triangle, double cosine) const
 {
     const Vector3 normal = other.graph_.normal(triangle);

@@ -12,13 +12,13 @@ namespace sheetmorph::recognise
 //! A vertex of one part near the surface of another.
 struct Touch
 {
-    int vertex = 0;         //!< of the welded mesh
+    int vertex = 0;         //!< of the merged mesh
     int triangle = 0;       //!< of the other part
     double distance = 0.0;  //!< mm
-    bool is_edge = false;   //!< it touches with a free edge only, its surface faces elsewhere
+    bool is_edge = false;   //!< only a free edge touches; the surface does not face the other part
 };
 
-//! A part prepared for questions about what is near it.
+//! A part prepared for proximity queries.
 class PartShape
 {
 public:
@@ -31,14 +31,14 @@ public:
     double thickness() const { return thickness_; }
     bool is_free(int vertex) const { return is_free_[vertex] != 0; }
 
-    //! The triangles around a vertex, ascending.
+    //! The triangles at a vertex, ascending.
     mesh::VertexTriangles::Range triangles_at(int vertex) const { return triangles_.at(vertex); }
 
-    //! Share of the part's surface that belongs to a vertex, mm^2.
+    //! A third of the area of the triangles at a vertex, mm^2.
     double area_at(int vertex) const { return area_at_[vertex]; }
 
-    //! The vertices within `reach` of the other part and facing it (radians),
-    //! ascending.
+    //! The vertices within `reach` (mm) of the other part that face it to within `facing_angle`
+    //! (radians), and free edges within `reach`; ascending.
     std::vector<Touch> touches(const PartShape& other, double reach, double facing_angle) const;
 
 private:

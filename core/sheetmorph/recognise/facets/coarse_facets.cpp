@@ -16,26 +16,27 @@ namespace
 
 constexpr int none = -1;
 
-// Cosine between the normals inside a facet (a thousandth of a radian); of a straight edge.
+// Cosine between normals inside a facet (a thousandth of a radian).
 constexpr double in_plane = 1.0 - 5e-7;
 constexpr double straight = -1.0 + 5e-7;
 
-// Length of sides to come to, over the width of the facet and over the size of the part: a patch of
-// a few triangles must reach over several facets to tell how they turn.
+// Target edge length relative to the facet's width and to the part's size. A patch of a few
+// triangles must span several facets to show the curvature.
 constexpr double of_width = 2.0;
 constexpr double of_size = 0.03;
 
-// Sides below this share of it go, unless one longer than that comes about.
+// Relative to the target length: shorter edges collapse, unless the collapse creates an edge longer
+// than too_long.
 constexpr double too_short = 1.0;
 constexpr double too_long = 1.7;
 
-// Of a triangle after a step: height over its longest side.
+// Minimum height over longest side of a triangle after a collapse.
 constexpr double slimmest = 0.05;
 
-// Triangles that are left, of all, for it to be worth while.
+// Coarsening is worthwhile if at most this share of the triangles would remain.
 constexpr double far_fewer = 0.9;
 
-// The facet of every triangle; one too thin for a plane is one by itself.
+// The facet of every triangle. A degenerate triangle forms its own facet.
 std::vector<int> facets_of(const FacetGraph& graph)
 {
     std::vector<int> facet(static_cast<std::size_t>(graph.triangle_count()), none);
@@ -66,7 +67,7 @@ std::vector<int> facets_of(const FacetGraph& graph)
     return facet;
 }
 
-// Takes vertices out of facets.
+// Removes vertices from facets.
 class FacetThinner
 {
 public:
@@ -82,20 +83,20 @@ public:
         measure_wanted();
     }
 
-    // Whether any facet is cut into sides that are too short for it.
+    // Whether coarsening would remove enough triangles.
     bool is_worth_while() const
     {
         double few = 0.0;
         for (int t = 0; t < graph_.triangle_count(); ++t)
         {
-            // Of sides of that length, two triangles a square.
+            // Area of a triangle with the target length: two of them fill a square.
             const double sides = std::pow(wanted_[facet_[t]], 2) / 2.0;
             few += sides > 0.0 ? std::min(1.0, graph_.area(t) / sides) : 1.0;
         }
         return few < far_fewer * graph_.triangle_count();
     }
 
-    // Each pass leaves fewer vertices, and the last finds none to take out.
+    // Ends because every pass but the last removes a vertex.
     const mesh::EditableTriangles& thinned()
     {
         for (bool has_changed = true; has_changed;)
@@ -117,8 +118,8 @@ private:
     const FacetGraph& graph_;
     const std::vector<int>& facet_;
     mesh::EditableTriangles triangles_;
-    std::vector<int> uses_;       // of every vertex: triangles at it
-    std::vector<double> wanted_;  // of every facet, mm; 0: it stays
+    std::vector<int> uses_;       // by vertex: number of its triangles
+    std::vector<double> wanted_;  // by facet: target edge length, mm; 0: no collapse
 };
 
 void FacetThinner::measure_wanted()
@@ -143,8 +144,8 @@ void FacetThinner::measure_wanted()
             border[f] > 0.0 ? std::min(of_width * 2.0 * area[f] / border[f], longest) : longest;
 }
 
-// Where a vertex may go: inside a facet to any neighbour, on a straight edge of two facets, or a
-// straight border of one, along that.
+// Vertices that v may collapse onto: any neighbour if v is inside a facet; the neighbours along the
+// edge if v is on a straight edge between two facets or on a straight border of one.
 std::vector<int> FacetThinner::ways(int v, const std::vector<int>& fan) const
 {
     std::vector<int> all, edge;
@@ -204,7 +205,7 @@ bool FacetThinner::try_vertex(int v)
     return true;
 }
 
-// No triangle turns over, none becomes a sliver, and no side longer than wanted comes about.
+// Rejects a collapse that flips a triangle or creates a sliver or an edge that is too long.
 bool FacetThinner::may_move(int v, int to, const std::vector<int>& fan, double wanted) const
 {
     const std::vector<int> beyond = triangles_.around(to);
@@ -227,7 +228,8 @@ bool FacetThinner::may_move(int v, int to, const std::vector<int>& fan, double w
                 common.push_back(near);
         if (b == to || c == to)
         {
-            // A triangle that goes with nothing behind it would leave its third vertex alone.
+            // Collapsing a triangle without neighbours on both remaining sides would isolate its
+            // third vertex.
             if (triangles_.across(t, k + 1) == none
                 && triangles_.across(t, b == to ? k + 2 : k) == none)
                 return false;
@@ -241,7 +243,7 @@ bool FacetThinner::may_move(int v, int to, const std::vector<int>& fan, double w
             || std::max(ab.norm(), ac.norm()) > too_long * wanted)
             return false;
     }
-    // They have no neighbours in common but those over the side between them.
+    // Link condition: the two vertices share only the apexes of the triangles at their common edge.
     return static_cast<int>(common.size()) == going;
 }
 

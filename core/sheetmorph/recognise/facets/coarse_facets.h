@@ -9,22 +9,22 @@
 namespace sheetmorph::recognise
 {
 
-//! A drawn part whose facets were cut into many small triangles, with few large ones in their
-//! place: the same surface, so that what is recognised does not depend on how fine a mesh is.
-//! A facet is all triangles that lie in one plane side by side. Vertices inside facets, and on
-//! straight edges between two, are taken out while the triangles stay smaller than the facet is
-//! wide and than a share of the part; corners, bent edges and borders keep theirs.
+//! A coarser copy of a drawn part whose facets consist of many small triangles. It describes the
+//! same surface, so that recognition does not depend on the fineness of the mesh.
+//! A facet is a connected set of coplanar triangles. Coarsening removes vertices inside facets and
+//! on straight edges between two facets. It limits the edge length by the facet's width and by a
+//! share of the part's size. Corners, bent edges and borders keep their vertices.
 class CoarseFacets
 {
 public:
-    //! \returns nothing where that would not leave far fewer triangles
+    //! \returns nothing if coarsening would not reduce the number of triangles enough
     static std::optional<CoarseFacets> of(const FacetGraph& fine);
 
     //! The coarse part.
     const FacetGraph& graph() const { return graph_; }
 
-    //! The triangles of the fine part, ascending, of the facets that lie for the most part in
-    //! these triangles of the coarse one.
+    //! The triangles of the fine part (ascending) whose facets lie mostly in these coarse
+    //! triangles.
     std::vector<int> fine_triangles(const std::vector<int>& coarse) const;
 
 private:
@@ -32,9 +32,9 @@ private:
                  std::vector<int> facet_of_fine);
 
     FacetGraph graph_;
-    std::vector<int> facet_of_coarse_;  // of every triangle
-    std::vector<double> area_;          // of every facet in the coarse part, mm^2
-    std::vector<int> starts_;           // of the fine triangles of each facet, and the end
+    std::vector<int> facet_of_coarse_;  // by triangle
+    std::vector<double> area_;          // by facet, mm^2 in the coarse part
+    std::vector<int> starts_;           // by facet: its first entry in fine_, and the end
     std::vector<int> fine_;
 };
 

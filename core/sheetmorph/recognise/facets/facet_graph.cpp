@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/facets/facet_graph.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/geometry/thinness.h"
@@ -20,11 +21,10 @@ namespace sheetmorph::recognise
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int none = -1;
 
-// Sheets at one edge beyond which none goes on; the bend up to which one does,
-// radians.
+// At an edge with more sheets, none continues across it. Two sheets continue into each other if
+// they bend by at most this, radians.
 constexpr int most_sheets = 12;
 constexpr double straight_on = 0.17;
 
@@ -72,7 +72,7 @@ Welded weld_vertices(const mesh::TriangleMesh& mesh, double weld)
     return welded;
 }
 
-// Floods over smooth edges, carrying the plane over triangles that have none.
+// Flood fill over smooth edges; a degenerate triangle inherits the plane of the triangle before it.
 class SmoothFlood
 {
 public:
@@ -242,9 +242,9 @@ void FacetGraph::join(const mesh::EdgeUse& one, const mesh::EdgeUse& other)
     }
 }
 
-// Where more than two sheets meet, those that go straight on are one: a wall
-// welded to a plate in one mesh does not cut the plate, nor do two plates that
-// touch along a line end there.
+// At an edge of more than two sheets, the straightest pairs continue into each other. A wall merged
+// with a plate in one mesh does not cut the plate, and two plates that touch along a line do not
+// end there.
 void FacetGraph::join_straightest(int edge)
 {
     const mesh::EdgeUses uses = edges_.uses(edge);
@@ -298,8 +298,8 @@ void FacetGraph::find_components()
                 is_closed_[component_[use.triangle]] = 0;
 }
 
-// The sign of the volume that a component encloses distinguishes inside from outside. Thin facets
-// need a normal as well, because rays start from every facet of a solid.
+// The sign of the enclosed volume distinguishes inside from outside. Degenerate facets need a
+// normal as well, because rays start from every facet of a solid.
 void FacetGraph::turn_outwards()
 {
     std::vector<double> volume(is_closed_.size(), 0.0);
@@ -334,8 +334,8 @@ void FacetGraph::look_whether_solid()
     const Vector3 origin = welded_.vertex_count() ? point(0) : Vector3::Zero();
     for (int t = 0; t < triangle_count(); ++t)
         volume += areas_[t] * normal(t).dot(centroid(t) - origin) / 3.0;
-    // A few faults of an import do not make a solid a sheet, whose border is 3.5 times the root of
-    // its area or longer.
+    // The border of an open sheet is at least 2 sqrt(pi) times the root of its area (isoperimetric
+    // inequality). A solid with a few import faults stays far below that.
     is_solid_ = triangle_count() > 0 && open * open <= 0.25 * total_area_ && volume > 0.0;
 }
 

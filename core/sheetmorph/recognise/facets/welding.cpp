@@ -9,13 +9,13 @@
 namespace sheetmorph::recognise
 {
 
-// Points along x: those that may coincide are next to each other.
+// Sorted along a line, points that may coincide are close to each other.
 std::vector<int> coincident(const Points& points, double distance)
 {
     const int count = static_cast<int>(points.rows());
     std::vector<int> order(static_cast<std::size_t>(count));
     std::iota(order.begin(), order.end(), 0);
-    // A direction along which regular meshes have few equal places.
+    // A generic direction: few points of a regular mesh have the same coordinate along it.
     const Vector3 along = Vector3(0.7368062997280773, 0.5270462766947299, 0.4235992153234789);
     const Eigen::VectorXd place = points * along;
     std::sort(order.begin(), order.end(),

@@ -6,9 +6,10 @@
 namespace sheetmorph::recognise
 {
 
-//! For every point the smallest index of a point that is, over others perhaps,
-//! within `distance` of it; the index itself where it stands alone. \param
-//! points  (n, 3) mm
+//! Clusters of coincident points. Points within `distance` (mm) of each other, also through a chain
+//! of others, form a cluster.
+//! \param points  (n, 3) mm
+//! \returns       for every point, the smallest index in its cluster
 std::vector<int> coincident(const Points& points, double distance);
 
 }  // namespace sheetmorph::recognise

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/features/bends.h"
 
+#include "sheetmorph/base/angles.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -15,26 +17,26 @@ namespace
 {
 
 constexpr int none = -1;
-constexpr double pi = 3.14159265358979323846;
-
-// Turns of a bend, radians: less is a waved flat, more is a tube.
+// Total turn, radians: less is a wavy flat, more is a tube.
 constexpr double least_turn = 0.08;
 constexpr double most_turn = 1.1 * pi;
 
-// Cosine between the axis and an edge along which the bend ends.
+// Cosine between the axis and an edge at which the bend ends.
 constexpr double along_axis = 0.98;
 
-// Of the turn: how near its end an edge lies there. Of the length: what of it ends in a flat.
+// at_end: largest distance of an end edge from the end, relative to the turn. least_flat: smallest
+// length of end edges that a flat adjoins, relative to the length.
 constexpr double at_end = 0.1;
 constexpr double least_flat = 0.5;
 
-// Of the radius: how far vertices of the strip are from the cylinder; cosine of their facets'
-// normals from it.
+// on_cylinder: largest distance of the strip's vertices from the cylinder, relative to its radius.
+// along_surface: smallest cosine between a facet's normal and the cylinder's (30 degrees).
 constexpr double on_cylinder = 1e-3;
 constexpr double along_surface = 0.866;
 
-// Between the two skins of one bend: cosine of their axes, distance of these over the thickness,
-// difference of the turns over the larger, what they have in common along the axis.
+// Criteria for the two skins of one bend: cosine between their axes; distance of the axes, relative
+// to the thickness; difference of the turns, relative to the larger turn; overlap along the axis,
+// relative to the length.
 constexpr double parallel = 0.9995;
 constexpr double off_axis = 0.15;
 constexpr double other_turn = 0.15;
@@ -45,11 +47,11 @@ struct Strip
 {
     SurfaceRegion region;
     Feature feature;
-    Vector3 middle;  // from the axis to the middle of the bend, of length 1
+    Vector3 middle;  // unit vector from the axis to the middle of the bend
     double turn = 0.0;
 };
 
-// Angles about the axis, from the middle of the bend.
+// Angles about the axis, measured from the middle of the bend.
 class Angles
 {
 public:
@@ -161,7 +163,8 @@ private:
         return std::abs(normal.dot(graph_.normal(triangle))) > along_surface;
     }
 
-    // With the first facets of the bend, which the flats took along, so little do they turn.
+    // Adds the first facets of the bend: they turn so little that region growing assigned them to
+    // the flats.
     SurfaceRegion whole(SurfaceRegion region) const
     {
         std::vector<char> is_in = mask(region);
@@ -184,7 +187,8 @@ private:
         return region_[triangle] != none && is_curved_[region_[triangle]];
     }
 
-    // The length of a side along the axis, if a flat goes on straight behind it; else 0.
+    // The length of a side that is parallel to the axis, if a flat continues smoothly beyond it;
+    // else 0. Unit mm.
     double flat_beyond(const fitting::Surface& surface, int triangle, int k) const
     {
         const int other = graph_.across(triangle, k);
@@ -202,11 +206,11 @@ private:
 
     const FacetGraph& graph_;
     const FeatureTolerances& tolerances_;
-    std::vector<int> region_;  // of every triangle
+    std::vector<int> region_;  // by triangle
     std::vector<char> is_curved_;
 };
 
-// The thickness, if one is the inner and the other the outer skin of a bend; else nothing.
+// The thickness of a bend with these inner and outer skins, mm; nothing if they do not match.
 std::optional<double> thickness_between(const Strip& inner, const Strip& outer)
 {
     const fitting::Surface& in = inner.region.surface;
@@ -240,7 +244,7 @@ Feature joined(const Feature& inner, const Feature& outer)
     return whole;
 }
 
-// Each inner skin with the nearest outer one around it.
+// Pairs each inner skin with the nearest outer skin around it.
 std::vector<Feature> bends_of_solid(const std::vector<Strip>& strips)
 {
     std::vector<Feature> bends;

@@ -6,11 +6,12 @@
 namespace sheetmorph::recognise
 {
 
-//! The bends of sheet metal: cylindrical strips, less than a full turn, that go on straight on into
-//! a flat at either end. `radius` is the inner one, `angle` how far the sheet turns (radians),
-//! `length` along the axis. Of a solid both skins are one bend, `depth` the thickness between them;
-//! a rounding with a single surface (an edge, a corner of the outline, the end of a slot) is none.
-//! Vertices of the welded mesh.
+//! Bends of sheet metal: cylindrical strips that continue smoothly into a flat at either end and
+//! turn by at most 198 degrees. `radius` is the inner radius, `angle` the total turn (radians),
+//! `length` the extent along the axis. In a solid, both skins form one bend and `depth` is the
+//! thickness. A rounding with a single surface (a rounded edge or corner, the end of a slot) is not
+//! a bend.
+//! Vertices refer to the merged mesh.
 std::vector<Feature> find_bends(const FacetGraph& graph, const std::vector<SurfaceRegion>& surfaces,
                                 const FeatureTolerances& tolerances);
 

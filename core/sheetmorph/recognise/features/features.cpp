@@ -24,7 +24,7 @@ bool is_hole(const Feature& feature)
     return feature.kind <= FeatureKind::hole;
 }
 
-// From the welded mesh's vertices to those of the mesh itself.
+// Converts vertices of the merged mesh to vertices of the given mesh.
 void renumber(const FacetGraph& graph, Feature& feature)
 {
     feature.vertices = graph.originals(feature.vertices);
@@ -41,8 +41,8 @@ bool is_same_rim(VertexIds one, VertexIds other)
     return one == other;
 }
 
-// Whether most of a raised place is one that its sharp edge has told already, or its rim that of a
-// hole: a blind one is not an emboss as well.
+// Whether the raised region was already found, either from its sharp edge or as a blind hole with
+// the same rim.
 bool is_known(const std::vector<Feature>& features, const Feature& raised)
 {
     for (const Feature& feature : features)

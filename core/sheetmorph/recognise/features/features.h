@@ -8,10 +8,10 @@
 namespace sheetmorph::recognise
 {
 
-//! Everything that is found on one part, holes first, then by kind and smallest
-//! vertex. Vertices count as the mesh does; where an import has several
-//! vertices at one place all of them are in. The same mesh gives the same
-//! answer, bit by bit. \throws InvalidInput naming a tolerance out of its range
+//! Finds all features of a part, ordered by kind (holes first) and smallest vertex. Vertices refer
+//! to the given mesh; where an import has several coincident vertices, all of them are included.
+//! Results are reproducible bit by bit.
+//! \throws InvalidInput naming a tolerance that is out of range
 std::vector<Feature> find_features(const mesh::TriangleMesh& mesh,
                                    const FeatureTolerances& tolerances = {});
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/features/hole_wall.h"
 
+#include "sheetmorph/base/angles.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -13,10 +15,8 @@ namespace
 {
 
 constexpr int none = -1;
-constexpr double pi = 3.14159265358979323846;
-
-// How far outside its outline, in radii of a circle of the same area, the wall
-// of a hole may be.
+// Distance by which the wall of a hole may lie outside the outline, in radii of a circle of equal
+// area.
 constexpr double slack = 0.25;
 
 int shared_edge(const FacetGraph& graph, int triangle, int other)
@@ -32,7 +32,7 @@ Vector3 flattened(const Vector3& vector, const Vector3& normal)
     return vector - normal.dot(vector) * normal;
 }
 
-// Distance of a point in a polygon's plane from the polygon, 0 inside.
+// Distance of a point from a polygon in the same plane; 0 inside.
 double outside_distance(const std::vector<Vector3>& polygon, const Vector3& point,
                         const Vector3& normal)
 {

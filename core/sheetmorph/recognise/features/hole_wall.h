@@ -9,24 +9,22 @@
 namespace sheetmorph::recognise
 {
 
-//! What lies behind a loop, inside its outline.
+//! The surface behind a loop, inside its outline.
 struct HoleWall
 {
     std::vector<int> triangles;  //!< ascending
-    bool leads_out = false;      //!< the wall ends at the rim of another skin, or
-                                 //!< leaves the outline
-    bool is_open = false;        //!< it has free edges besides the loop
-    double covered = 0.0;  //!< share of the outline's area that the wall covers, seen along it
-    double height = 0.0;   //!< farthest of its vertices from the loop's plane, mm,
-                           //!< signed by the loop's normal
+    bool leads_out = false;      //!< the wall reaches the rim of another skin or leaves the outline
+    bool is_open = false;        //!< the wall has free edges of its own
+    double covered = 0.0;        //!< projected area of the wall, relative to the outline's area
+    //! largest distance of its vertices from the loop's plane, mm, signed by the loop's normal
+    double height = 0.0;
 };
 
-//! Follows the surface from loops that are rims of holes in their regions to
-//! what is inside them.
+//! Traces the surface inside loops that are rims of holes.
 class WallTracer
 {
 public:
-    //! \param loops  those that may be rims of holes
+    //! \param loops  candidates for rims of holes
     WallTracer(const FacetGraph& graph, const std::vector<int>& labels,
                const std::vector<const RegionLoop*>& loops);
 
@@ -38,7 +36,7 @@ private:
 
     const FacetGraph& graph_;
     const std::vector<int>& labels_;
-    std::set<std::pair<int, int>> doors_;  // triangle of a region, its edge on a rim
+    std::set<std::pair<int, int>> doors_;  // (triangle of a region, its edge on a rim)
 };
 
 }  // namespace sheetmorph::recognise

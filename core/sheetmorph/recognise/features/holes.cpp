@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/features/holes.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/fitting/outline.h"
 #include "sheetmorph/recognise/features/hole_wall.h"
@@ -20,15 +21,16 @@ namespace
 
 constexpr int none = -1;
 
-// Shares of an outline's area that what lies inside it may cover.
+// Largest share of the outline's area that the wall of a collar or of a through hole may cover.
 constexpr double collar_cover = 0.5;
 constexpr double through_cover = 0.85;
 
-// Height of a collar over the scatter of a measured mesh: what is lower is a bent rim.
+// Minimum height of a collar, relative to the scatter of a measured mesh. A lower one is a bent
+// rim.
 constexpr double lowest_collar = 6.0;
 
-// Out of plane a rim on a curved sheet may be, over the radius of a circle of
-// the same area.
+// Largest deviation from a plane of a rim on a curved sheet, relative to the square root of its
+// area.
 constexpr double most_bulge = 0.6;
 
 class RimFinder
@@ -78,11 +80,12 @@ private:
     const FeatureTolerances& tolerances_;
     std::vector<int> labels_;
     std::vector<RegionLoop> loops_;
-    std::vector<RegionLoop> free_loops_;  // of the part as a whole: noise makes creases beside them
+    // of the whole part, because noise creates creases near them
+    std::vector<RegionLoop> free_loops_;
     OuterBorders borders_;
     std::vector<const RegionLoop*> rims_;
     std::vector<Feature> features_;
-    std::map<int, std::size_t> owner_;  // of a triangle in a wall: its feature
+    std::map<int, std::size_t> owner_;  // by triangle of a wall: its feature
 };
 
 bool RimFinder::is_in_range(const Feature& feature) const
@@ -92,8 +95,8 @@ bool RimFinder::is_in_range(const Feature& feature) const
     return half >= tolerances_.smallest_radius && half <= tolerances_.largest_radius;
 }
 
-// The loop as a hole of the kind of its outline; nothing if it is too coarse or
-// too far from plane.
+// A hole whose kind follows from the loop's outline; nothing if the loop has too few vertices or
+// deviates too far from a plane.
 std::optional<Feature> RimFinder::outlined(const RegionLoop& loop) const
 {
     if (loop.vertices.size() < 4)
@@ -121,7 +124,7 @@ std::optional<Feature> RimFinder::outlined(const RegionLoop& loop) const
     return feature;
 }
 
-// A free rim that the sheet lies around, whatever its form: too few vertices, or far from plane.
+// A hole of no particular shape for a free rim with too few vertices or too far from a plane.
 Feature RimFinder::plain_hole(const RegionLoop& loop) const
 {
     const Points rim = graph_.mesh().points()(loop.vertices, Eigen::indexing::all);
@@ -129,7 +132,7 @@ Feature RimFinder::plain_hole(const RegionLoop& loop) const
     feature.kind = FeatureKind::hole;
     feature.center = rim.colwise().mean().transpose();
     feature.axis = loop.normal;
-    feature.length = feature.width = 2.0 * std::sqrt(loop.area / 3.14159265358979323846);
+    feature.length = feature.width = 2.0 * std::sqrt(loop.area / pi);
     feature.rims = {loop.vertices};
     feature.vertices = loop.vertices;
     make_set(feature.vertices);
@@ -144,8 +147,8 @@ void RimFinder::add_wall(Feature& feature, const HoleWall& wall)
     make_set(feature.vertices);
 }
 
-// Both rims of a hole lead to the same wall: the second joins the first; the
-// narrower one counts.
+// If the wall already belongs to a hole, adds this rim to that hole as its second rim. The
+// dimensions of the narrower rim apply.
 bool RimFinder::has_merged(const Feature& feature, const HoleWall& wall)
 {
     std::optional<std::size_t> other;
@@ -177,7 +180,7 @@ bool RimFinder::has_merged(const Feature& feature, const HoleWall& wall)
     return true;
 }
 
-// Whether a bottom lies inside the material: only a solid tells.
+// Whether the bottom lies on the inner side of the surface. Only a solid has an inner side.
 bool RimFinder::is_blind_hole(const RegionLoop& loop, const HoleWall& wall) const
 {
     if (!graph_.is_solid())
@@ -217,8 +220,8 @@ void RimFinder::take_walled(const RegionLoop& loop, const WallTracer& tracer)
     features_.push_back(std::move(*feature));
 }
 
-// Whether the loop's region goes on beside it, as a sheet around a smooth
-// collar does.
+// Whether most of the loop's region is farther than 1.3 radii from its axis, as the sheet around a
+// smooth collar is.
 bool RimFinder::spreads_beyond(const RegionLoop& loop, double radius) const
 {
     double beyond = 0.0;

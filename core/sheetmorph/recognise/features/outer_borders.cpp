@@ -11,15 +11,15 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// A bend that no edge exceeds, radians.
+// Exceeds every bend (pi), so that regions are connected pieces; radians.
 constexpr double any_bend = 4.0;
 
-// Share of what a loop encloses from which a piece closes it.
+// Minimum share of the enclosed area that a closing piece covers.
 constexpr double least_floor = 0.5;
 
 constexpr std::size_t most_places = 128;
 
-// Largest distance between two of its vertices, of which some stand for all, mm.
+// Largest distance between two vertices, from a sample of up to 128 steps, mm.
 double extent_of(const FacetGraph& graph, const RegionLoop& loop)
 {
     const std::size_t step = std::max<std::size_t>(1, loop.vertices.size() / most_places);
@@ -73,8 +73,8 @@ bool OuterBorders::has(const RegionLoop& loop) const
     for (const int triangle : loop.triangles)
         shown += graph_.area(triangle) * graph_.normal(triangle).dot(loop.normal);
     const double side = shown < 0.0 ? -1.0 : 1.0;
-    // What the piece covers inside the loop, and beside it with the side that it shows at the loop,
-    // seen along its axis, mm^2.
+    // Projected area of the piece inside the loop, and outside it with the side that the piece
+    // shows at the loop, mm^2.
     double inside = 0.0, beside = 0.0;
     for (int t = 0; t < graph_.triangle_count(); ++t)
     {
@@ -86,7 +86,7 @@ bool OuterBorders::has(const RegionLoop& loop) const
         else
             beside += std::max(0.0, side * covered);
         if (!(beside < loop.area))
-            return false;  // holes in large sheets, after few triangles
+            return false;  // early exit for holes in large sheets
     }
     const bool is_largest = loop.is_free() && extent_of(graph_, loop) >= largest_[piece_of(loop)];
     return is_largest || inside >= least_floor * loop.area;

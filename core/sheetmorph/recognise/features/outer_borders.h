@@ -6,16 +6,17 @@
 namespace sheetmorph::recognise
 {
 
-//! The borders at which a whole piece of sheet ends. A flange that is folded inwards makes such a
-//! border look like the rim of a hole: sheet lies around it, but little of it.
+//! The borders at which a whole piece of sheet ends. A flange folded inwards makes such a border
+//! look like the rim of a hole: the sheet surrounds it, but little of it.
 class OuterBorders
 {
 public:
     //! \param free_loops  the rims of the mesh; only read during construction
     OuterBorders(const FacetGraph& graph, const std::vector<RegionLoop>& free_loops);
 
-    //! Whether a piece covers less beside a loop, seen along its axis, than the loop encloses, and
-    //! the loop is the largest rim of its piece, or the piece closes it like the floor of a dish.
+    //! Whether the loop is an outer border. Seen along its axis, the piece then covers less area
+    //! outside the loop than the loop encloses. In addition, the loop is the largest rim of its
+    //! piece, or the piece closes it like the bottom of a dish.
     bool has(const RegionLoop& loop) const;
 
 private:

@@ -16,17 +16,15 @@ namespace
 
 constexpr int none = -1;
 
-// Area over squared perimeter below which a loop is a slit: 1 / (4 pi) for a
-// circle.
+// Area over squared perimeter; a loop with less is a slit. A circle has 1 / (4 pi).
 constexpr double slimmest = 4e-4;
 
-// The mesh cut apart along the borders of its regions: every region has
-// vertices of its own.
+// The mesh cut along the borders of its regions: every region has its own vertices.
 struct CutMesh
 {
     mesh::TriangleMesh mesh;
-    VertexIds welded;         // of each of its vertices
-    std::vector<int> region;  // of each of its vertices
+    VertexIds welded;         // by vertex: the vertex of the merged mesh
+    std::vector<int> region;  // by vertex
 };
 
 CutMesh cut_apart(const FacetGraph& graph, const std::vector<int>& labels)

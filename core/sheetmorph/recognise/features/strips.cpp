@@ -17,24 +17,24 @@ namespace
 
 constexpr int none = -1;
 
-// Of a flange: width over the length of its fold, free border over it, area
-// over that of the part.
+// Of a flange: largest width and smallest free border, relative to the length of its fold; largest
+// area, relative to the part.
 constexpr double widest = 0.6;
 constexpr double least_free = 0.8;
 constexpr double largest = 0.35;
 
-// A sharper bend than this, radians, is a fold even where the part has no edge: few rows make a
-// bend of a coarse mesh.
+// A sharper bend (radians) is a fold even if it is below the crease angle: in a coarse mesh, few
+// rows of facets form a bend.
 constexpr double folded = 0.3;
 
-// Area of a plane that may hold beads, over that of its part.
+// Minimum area of a plane that may have beads, relative to the part's area.
 constexpr double least_base = 0.04;
 
-// Share of its outline that a raised place covers, seen from above; else it is
-// a hole.
+// Minimum share of its outline that a raised region covers, seen from above; with less it is a
+// hole.
 constexpr double least_cover = 0.5;
 
-// What remains between creases and bends.
+// A region between creases and bends.
 struct Strip
 {
     std::vector<int> triangles;
@@ -49,7 +49,7 @@ public:
     StripFinder(const FacetGraph& graph, const std::vector<SurfaceRegion>& surfaces, double crease)
         : graph_(graph), crease_(crease), label_(graph.triangle_count(), none)
     {
-        // Bends are cylinders; a strip does not go on over them.
+        // Bends are cylinders. A strip ends at them.
         for (const SurfaceRegion& region : surfaces)
             if (region.surface.kind == fitting::Surface::Kind::cylinder)
                 for (const int t : region.triangles)

@@ -7,14 +7,14 @@
 namespace sheetmorph::recognise
 {
 
-//! Grows rings of triangles around few vertices of a large mesh.
+//! Grows rings of triangles around a few vertices of a large mesh.
 class WasherGrower
 {
 public:
     explicit WasherGrower(const FacetGraph& graph) : graph_(graph), triangles_(graph.mesh()) {}
 
-    //! Ring k holds the vertices, ascending, that share a triangle with ring k -
-    //! 1 and are in none before; ring 0 would be `vertices`.
+    //! Ring k contains the vertices, ascending, that share a triangle with ring k - 1 and are in no
+    //! earlier ring. Ring 0 is `vertices` and is not returned.
     std::vector<VertexIds> rings(const VertexIds& vertices, int count) const;
 
 private:

@@ -7,13 +7,14 @@
 namespace sheetmorph::recognise
 {
 
-//! Triangles of a part as facets that a surface is fitted to.
+//! The sample of triangles that a surface is fitted to.
 fitting::FacetSample sample_of(const FacetGraph& graph, const std::vector<int>& triangles);
 
-//! (k, 3) corners of the triangles, of many triangles some: enough to refine a surface.
+//! (k, 3) corners of a subset of the triangles; enough to refine a surface.
 Points some_corners(const FacetGraph& graph, const std::vector<int>& triangles);
 
-//! The largest distance of a corner of the triangles over the radius there.
+//! The largest distance of a corner of the triangles from the surface, relative to the radius
+//! there.
 double misfit_of(const FacetGraph& graph, const std::vector<int>& triangles,
                  const fitting::Surface& surface);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/surfaces/surface_grower.h"
 
+#include "sheetmorph/base/angles.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -16,22 +18,24 @@ namespace
 {
 
 constexpr int none = -1;
-constexpr double pi = 3.14159265358979323846;
+// Triangles of the patch around a seed, of a drawn and of a measured mesh; fewest triangles to
+// which a curved surface is fitted.
 constexpr std::size_t patch_size = 14;
 constexpr std::size_t measured_patch_size = 40;
 constexpr std::size_t fewest_triangles = 6;
 constexpr Surface::Kind curved[] = {Surface::Kind::cylinder, Surface::Kind::sphere,
                                     Surface::Kind::cone};
 
-// Mean square difference of normals from which a patch turns; what calming leaves of scatter.
+// turning: mean square difference of normals from which a patch is curved. left_over: share of the
+// scatter that remains in smoothed normals.
 constexpr double turning = 0.002;
 constexpr double left_over = 0.5;
 
-// Fits and growths in turn until a region stays as it is.
+// Limit on the alternation of fitting and growing.
 constexpr int most_rounds = 8;
 const Convergence growth{"the triangles of a surface", false, 0, 0.0, "triangles"};
 
-// Gives a region the triangles that it grew to, and tells how many that changes.
+// Replaces the triangles of a region and records how many triangles changed.
 void take(SurfaceRegion& region, std::vector<int> triangles)
 {
     const auto sorted = [](std::vector<int> list)
@@ -51,20 +55,22 @@ void take(SurfaceRegion& region, std::vector<int> triangles)
 // Cosine of the largest angle between a triangle and its curved surface (30 degrees).
 constexpr double along_surface = 0.866;
 
-// Of 36 directions around an axis, those that a curved region reaches (a quarter bend: 3).
+// A curved region must cover this many of 36 directions around its axis (30 degrees).
 constexpr int directions = 36;
 constexpr int fewest_directions = 3;
 
-// Over the scatter of a measured mesh: how far its vertices may be off a surface.
+// Largest distance of measured vertices from a surface, relative to the scatter.
 constexpr double within_scatter = 4.0;
 
-// Distance from a plane over the size of the part.
+// Largest distance from a plane, relative to the size of the part.
 constexpr double flatness = 1e-3;
 
-// Mean distance of the middles of triangles from a surface over that from another.
+// Two fits of similar size: the second replaces the first only if its mean distance at centroids is
+// below this share.
 constexpr double clearly_closer = 0.7;
 
-// Area of a curved region over that of the plane at the same place.
+// A curved region replaces the plane at the same seed only if its area exceeds that of the plane by
+// this factor.
 constexpr double clearly_larger = 1.3;
 
 }  // namespace
@@ -133,7 +139,8 @@ std::vector<SurfaceGrower::Seed> SurfaceGrower::seeds()
     return seeds;
 }
 
-// Within creases if that turns, else over the edges of a coarse mesh.
+// Uses the patch within creases if it is curved, else a patch across the sharper edges of a coarse
+// mesh.
 std::vector<int> SurfaceGrower::patch_around(int seed)
 {
     std::vector<int> patch = patch_around(seed, tolerances_.crease_angle);
@@ -282,13 +289,14 @@ std::optional<SurfaceRegion> SurfaceGrower::curved_at(int seed)
     std::optional<SurfaceRegion> best;
     for (const Surface::Kind kind : curved)
         better(curved_at(seed, patch, kind), best);
-    // A small patch does not tell how a slender cone tapers.
+    // A small patch does not show the taper of a slender cone.
     if (best && best->surface.kind != Surface::Kind::cone)
         better(curved_at(seed, best->triangles, Surface::Kind::cone), best);
     return best;
 }
 
-// The larger of two; of two alike what follows its triangles inside, too, in doubt the simpler.
+// Keeps the larger region. If both have a similar size, the later one wins only if it clearly fits
+// better inside its triangles; simpler kinds come first.
 void SurfaceGrower::better(std::optional<SurfaceRegion> region,
                            std::optional<SurfaceRegion>& best) const
 {

@@ -8,13 +8,13 @@
 namespace sheetmorph::recognise
 {
 
-//! Region growing over the triangles of a part: from a seed a patch is fitted, grown over all that
-//! lies near and turns with it, fitted and grown again. What lies flat is taken first, then what
-//! fits a curved surface best, so that no surface is fitted across a bend.
+//! Region growing over the triangles of a part. It fits a surface to a patch around a seed, grows
+//! the patch over all near triangles with a similar normal, and repeats. Flat seeds come first,
+//! then the seeds with the best curved fit. This order keeps a surface from spanning a bend.
 class SurfaceGrower
 {
 public:
-    //! Keeps references.
+    //! Keeps references to its arguments.
     SurfaceGrower(const FacetGraph& graph, const FeatureTolerances& tolerances);
 
     std::vector<SurfaceRegion> found();
@@ -23,7 +23,7 @@ private:
     struct Seed
     {
         int triangle;
-        double misfit;  // of the best curved surface through its patch, over the radius; < 0: flat
+        double misfit;  // of the best curved fit, relative to the radius; < 0: flat
     };
 
     std::vector<Seed> seeds();
@@ -48,8 +48,8 @@ private:
     const FeatureTolerances& tolerances_;
     double size_;
     std::vector<char> is_taken_;
-    std::vector<char> is_tried_;  // lies where a seed has led to nothing
-    std::vector<int> stamp_;      // of a triangle: the last search that reached it
+    std::vector<char> is_tried_;  // part of a patch whose seed led to no surface
+    std::vector<int> stamp_;      // by triangle: the last search that reached it
     int search_ = 0;
     std::vector<SurfaceRegion> regions_;
 };

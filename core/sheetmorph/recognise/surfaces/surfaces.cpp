@@ -16,7 +16,6 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// How far the vertices reach along the axis and across it, and the middle of that.
 FeatureKind kind_of(const fitting::Surface& surface)
 {
     switch (surface.kind)
@@ -33,6 +32,7 @@ FeatureKind kind_of(const fitting::Surface& surface)
     return FeatureKind::plane;
 }
 
+// Extent of the vertices along and across the axis, and its centre.
 void measure_extent(const FacetGraph& graph, const fitting::Surface& surface, Feature& feature)
 {
     Matrix3 frame;

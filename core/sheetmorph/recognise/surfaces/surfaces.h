@@ -8,21 +8,21 @@
 namespace sheetmorph::recognise
 {
 
-//! A surface and the triangles that lie in it, ascending.
+//! A surface and its triangles, ascending.
 struct SurfaceRegion
 {
     fitting::Surface surface;
     std::vector<int> triangles;
     double area = 0.0;             //!< mm^2
-    Convergence convergence = {};  //!< of growing and fitting in turn
+    Convergence convergence = {};  //!< of the alternation of growing and fitting
 };
 
-//! The planes, cylinders, spheres and cones of a part, by region growing (see
+//! Finds the planes, cylinders, spheres and cones of a part by region growing (see
 //! surface_grower.h). Regions do not overlap.
 std::vector<SurfaceRegion> find_surfaces(const FacetGraph& graph,
                                          const FeatureTolerances& tolerances);
 
-//! What a region is as a feature; vertices of the welded mesh.
+//! The feature of a region. Vertices refer to the merged mesh.
 Feature feature_of(const FacetGraph& graph, const SurfaceRegion& region);
 
 }  // namespace sheetmorph::recognise

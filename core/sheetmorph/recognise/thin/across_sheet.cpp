@@ -19,26 +19,28 @@ using mesh::Hit;
 namespace
 {
 
-// Of the distance, and a thousandth of the size.
+// Tolerance of equal distances, relative to the distance plus a thousandth of the size.
 constexpr double equally_near = 1e-7;
 
-// A ray that ends within so many thicknesses has found the other skin of its own sheet.
+// A ray that ends within this many thicknesses has reached the other skin of its own sheet.
 constexpr double farthest_skin = 1.8;
 
-// Where rays start beside the point, in thicknesses: close to it; and beyond the corner of a sharp
-// fold, whose outer edge has the other flange behind it instead of the other skin.
+// Offsets of ray origins towards the facet's centroid, in thicknesses: one close to the point, one
+// beyond the corner of a sharp fold. At the outer edge of a fold, the other flange lies behind the
+// point instead of the other skin.
 constexpr double beside[] = {0.05, 1.2};
 
-// One ray is enough for the facets of a plane. At a fold, however flat, each plane has its own.
+// One ray is enough for all facets of a plane. At a fold, however flat, each plane needs its own.
 constexpr double alike = 1.0 - 1e-12;
 
-// Where a ray starts below the surface, of the component's size.
+// Depth of the ray origin below the surface, relative to the size of the mesh.
 constexpr double first_step = 1e-7;
 
-// A skin that is reached through the material faces away from where the walk began.
+// A skin reached through the material faces away from the start of the walk: smallest cosine
+// between its normal and the direction from the start.
 constexpr double from_behind = -0.01;
 
-// A walk ends this many times farther away than the nearest place that faces the start.
+// A walk ends at this many times the distance of the nearest point that faces the start.
 constexpr double far_enough = 3.0;
 
 mesh::TriangleCorners corners_of(const Points& points, const Triangles& triangles, int facet)
@@ -54,7 +56,7 @@ Hit nearest_on(const Points& points, const Triangles& triangles, int facet, cons
     return hit;
 }
 
-// The nearest of the places that a walk reaches; those that face its start only if there are no
+// The nearest points that a walk reaches. Points that face the start count only if there are no
 // others.
 class NearPlaces
 {
@@ -68,14 +70,13 @@ public:
         least = std::min(least, hit.distance);
     }
 
-    // What is farther away plays no role.
+    // Distance beyond which the walk may stop.
     double limit() const
     {
         return std::min(nearest_ + rounding(nearest_), far_enough * nearest_facing_);
     }
 
-    // All that are equally near, by rising triangle: which of them rounding puts first must not
-    // matter.
+    // All nearest points in order of their triangle, so that rounding does not choose between them.
     std::vector<Hit> nearest() const
     {
         std::vector<Hit> hits = behind_.empty() ? facing_ : behind_;
@@ -104,8 +105,8 @@ private:
 
 }  // namespace
 
-// Facets in the order of how far from a point the walk to them must go. On the skin that is looked
-// for, their own distance counts: the walk goes down to the nearest place.
+// Facets in order of the length of the walk from a point. On the target skin the facets' own
+// distances count, because the walk descends to the nearest point.
 class AcrossSheet::Walk
 {
 public:
@@ -132,7 +133,7 @@ public:
                 push(facet, way);
     }
 
-    // The next facet and the length of the way; nothing if it is farther than `limit`.
+    // The next facet and the length of the walk to it; nothing if that exceeds `limit`.
     std::optional<std::pair<double, Hit>> pop(double limit)
     {
         if (waiting_.empty() || waiting_.top().way > limit)
@@ -179,8 +180,8 @@ AcrossSheet::AcrossSheet(const mesh::TriangleMesh& mesh, const ThinSolid& solid)
     }
 }
 
-// The facet of a skin straight through the material from where a facet is nearest to a point; -1 if
-// there is none.
+// The facet of a skin straight through the material, from the point of `facet` nearest to `point`;
+// -1 if there is none.
 int AcrossSheet::facet_behind(int facet, const Vector3& point, SolidSide skin) const
 {
     if (graph_.is_thin(facet))
@@ -237,8 +238,9 @@ std::vector<Hit> AcrossSheet::places(int vertex, SolidSide skin) const
     return found.nearest();
 }
 
-// Whether a ray from a facet finds the skin across its sheet; then the walk goes on there.
-// \param crossed  normals of the facets whose rays have found it
+// Casts a ray from a facet to the skin across its sheet. If the ray reaches that skin, the walk
+// continues there.
+// \param crossed  normals of the facets whose rays reached it
 bool AcrossSheet::crosses(int facet, SolidSide skin, Walk& walk,
                           std::vector<Vector3>& crossed) const
 {

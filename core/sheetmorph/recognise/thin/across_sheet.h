@@ -11,23 +11,23 @@
 namespace sheetmorph::recognise
 {
 
-//! Finds the places across the sheet: what a walk from a vertex, over the facets and straight
-//! through the material, reaches nearest on a skin. A flange that is near in space but beyond an
-//! air gap is never found, however narrow the gap is.
+//! Finds the points across the sheet from a vertex: the nearest points of a skin that a walk over
+//! facets and straight through the material reaches. A flange beyond an air gap is never found,
+//! however narrow the gap is.
 class AcrossSheet
 {
 public:
     AcrossSheet(const mesh::TriangleMesh& mesh, const ThinSolid& solid);
 
-    //! Places on a skin across the sheet from a vertex: the nearest, and all that are equally near.
-    //! None where the component has no such skin.
+    //! The nearest point of a skin across the sheet from a vertex, and all points at the same
+    //! distance. Empty if the component does not have this skin.
     //! \param skin  main or opposite
     std::vector<mesh::Hit> places(int vertex, SolidSide skin) const;
 
-    //! The typical thickness of the sheet that a vertex is on, mm; 0 if it is on none.
+    //! The typical thickness of the sheet at a vertex, mm; 0 if the vertex is not on a sheet.
     double thickness(int vertex) const;
 
-    //! The place nearest to a point on the deformed skin around one of its facets.
+    //! The point of the deformed skin that is nearest to `point`, searched outwards from one facet.
     //! \param positions  (n, 3) mm, of the whole mesh
     mesh::Hit nearest_around(int facet, const Vector3& point, const Points& positions) const;
 
@@ -53,7 +53,7 @@ private:
     double size_;
     FacetGraph graph_;
     mesh::VertexTriangles around_;
-    std::map<int, Component> thin_;  // by component, those with two skins
+    std::map<int, Component> thin_;  // by component with two skins
 };
 
 }  // namespace sheetmorph::recognise

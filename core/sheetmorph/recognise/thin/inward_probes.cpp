@@ -16,14 +16,14 @@ namespace
 {
 
 constexpr int most_looks = 64;
-constexpr Eigen::Index least_looks = 50;  // worth a thread
-constexpr double looks_a_component = 2000.0;
+constexpr Eigen::Index least_looks = 50;      // fewest worth a thread
+constexpr double looks_a_component = 2000.0;  // target number of rays
 constexpr double facing = -0.70710678118654752;
 
-// Where a look starts below the surface, of the component's size.
+// Depth of the ray origin below the surface, relative to the square root of the component's area.
 constexpr double first_step = 1e-7;
 
-// Well spread barycentric coordinates (Roberts 2018), the first near the middle.
+// Low-discrepancy barycentric coordinates (R2 sequence, Roberts 2018).
 Vector3 spread(int k)
 {
     double u = std::fmod(0.5 + 0.7548776662466927 * (k + 1), 1.0);
@@ -36,7 +36,7 @@ Vector3 spread(int k)
     return {1.0 - u - v, u, v};
 }
 
-// One closed component by itself, so that looks end inside it whatever touches it.
+// One closed component, isolated so that its rays end inside it whatever touches it.
 class ComponentProbe
 {
 public:

@@ -6,18 +6,19 @@
 namespace sheetmorph::recognise
 {
 
-//! One look from a facet straight into the material.
+//! A ray from a facet straight into the material.
 struct InwardProbe
 {
     int facet;
-    int opposite;     //!< the facet of the same component that ends the look; -1 if there is none
-    double distance;  //!< to it, mm
-    double area;      //!< of the facet that this look stands for, mm^2
-    bool is_facing;   //!< whether the opposite facet looks the other way, to 45 degrees
+    int opposite;     //!< the first facet of the same component that the ray hits; -1: none
+    double distance;  //!< length of the ray, mm
+    double area;      //!< share of the facet's area that this ray represents, mm^2
+    bool is_facing;   //!< whether the hit facet faces the opposite way, within 45 degrees
 };
 
-//! Looks from points spread over every facet with a plane of every closed component: one a facet,
-//! up to 64 where a facet is large, since CAD tessellations have a few huge facets on every flat.
+//! Casts rays from points spread over every non-degenerate facet of every closed component. A facet
+//! gets one ray, a large facet up to 64, because CAD tessellations cover each flat with a few huge
+//! facets.
 std::vector<InwardProbe> inward_probes(const mesh::TriangleMesh& mesh, const FacetGraph& graph);
 
 }  // namespace sheetmorph::recognise

@@ -7,7 +7,7 @@
 namespace sheetmorph::recognise
 {
 
-//! Union-find over 0..n-1 that also keeps which of two sides every member is on.
+//! Union-find over 0..n-1 that also records on which of two sides every member is.
 class ParitySets
 {
 public:
@@ -34,8 +34,8 @@ public:
         return flips;
     }
 
-    //! Puts a and b into one set, on one side if `flip` is 0, on opposite ones if it is 1. Members
-    //! of one set stay as they are.
+    //! Joins the sets of a and b, on the same side if `flip` is 0, on opposite sides if it is 1.
+    //! Has no effect if they already share a set.
     void join(int a, int b, int flip)
     {
         const int root_a = root(a);

@@ -18,7 +18,7 @@ constexpr double thickest_skin = 1.6;
 
 using WeightedDistances = std::vector<std::pair<double, double>>;
 
-// The median of the distances first..last - 1.
+// The weighted median of the distances first..last - 1.
 double median(const WeightedDistances& distances, std::size_t first, std::size_t last)
 {
     double half = 0.0;
@@ -29,7 +29,8 @@ double median(const WeightedDistances& distances, std::size_t first, std::size_t
     return distances[first].first;
 }
 
-// The distance that most of a surface has behind it, within a quarter; 0 if none.
+// The most frequent distance: the median of the densest window of relative width 25 %; 0 if there
+// are no distances.
 double typical(WeightedDistances distances)
 {
     std::sort(distances.begin(), distances.end());
@@ -41,7 +42,7 @@ double typical(WeightedDistances distances)
         inside += distances[last].second;
         for (; distances[last].first > 1.25 * distances[first].first; ++first)
             inside -= distances[first].second;
-        // A hair more than rounding, so that equal shares are decided by the smaller distance.
+        // A margin above rounding, so that among equal shares the smaller distance wins.
         if (inside > most * (1.0 + 1e-9))
         {
             most = inside;
@@ -76,7 +77,7 @@ std::vector<int> smooth_patches(const FacetGraph& graph)
     return patch;
 }
 
-// Whether a look finds the other skin where it should be.
+// Whether each ray hits the other skin at a plausible distance.
 std::vector<char> thin_looks(const FacetGraph& graph, const std::vector<InwardProbe>& probes,
                              const std::vector<double>& thickness)
 {
@@ -90,7 +91,8 @@ std::vector<char> thin_looks(const FacetGraph& graph, const std::vector<InwardPr
     return found;
 }
 
-// A facet or two of a wall see each other across a narrow strut: no skin is that small.
+// A few facets of a wall may face each other across a narrow strut; their cells are too small for a
+// skin.
 void drop_crumbs(const SkinCells& cells, std::vector<char>& is_skin)
 {
     for (std::size_t t = 0; t < is_skin.size(); ++t)

@@ -17,16 +17,16 @@ namespace
 
 constexpr double thickest_of_size = 0.1;
 
-// Of the evidence for one side, this much must agree.
+// Minimum share of the evidence that must agree on a side.
 constexpr double agreement = 0.9;
 
-// A smooth patch says less than a crease that is seen.
+// A smooth patch is weaker evidence than a crease.
 constexpr double weight_of_patch = 1e-3;
 
-// Further sheets of a component are larger, in squares of the thickness.
+// Minimum area of further sheets of a component, in squares of the thickness.
 constexpr double least_further_sheet = 25.0;
 
-// For which side, 0 or 1, of the sheet a group of cells speaks, by length.
+// Evidence by group of cells: length in favour of side 0 and of side 1 of the sheet.
 using Evidence = std::map<int, std::array<double, 2>>;
 
 class Sheets
@@ -42,7 +42,7 @@ public:
         ledges_ = cells_at_ledges();
         while (choose_seeds())
         {
-            // Ends, since each round joins sets of cells.
+            // Ends because each round joins sets of cells.
             while (grow())
                 continue;
             for (const int seed : seeds_)
@@ -62,8 +62,8 @@ public:
     }
 
 private:
-    // A sheet starts at the largest pair of opposite skins of its component that is in none yet.
-    // Returns whether there is one.
+    // Starts a sheet at the largest pair of opposite skins of each component that is not in a sheet
+    // yet. Returns whether there is one.
     bool choose_seeds()
     {
         Evidence areas;
@@ -87,7 +87,7 @@ private:
         return std::any_of(seeds_.begin(), seeds_.end(), [](int seed) { return seed >= 0; });
     }
 
-    // +1 or -1 in the sheet that grows, else 0.
+    // +1 or -1 in the growing sheet, else 0.
     int side_in_growing(int cell) const
     {
         const int seed = seeds_[at(cells_.component[at(cell)])];
@@ -117,7 +117,7 @@ private:
         return evidence;
     }
 
-    // The strips of ledges in a skin, by their patch: cells along them and along what length.
+    // For each ledge in a skin, the cells along it and the length of contact.
     std::vector<std::map<int, double>> cells_at_ledges() const
     {
         std::map<int, std::map<int, double>> around;
@@ -144,7 +144,7 @@ private:
         return found;
     }
 
-    // What meets in a ledge that is much lower than the sheet is thick is one skin.
+    // Cells that meet in a ledge much lower than the thickness belong to one skin.
     void add_ledges(Evidence& evidence) const
     {
         for (const std::map<int, double>& cells : ledges_)
@@ -154,10 +154,11 @@ private:
                         speak(evidence, one, other, std::min(length, other_length));
     }
 
-    // Patches whose sheet cells are all on one side speak for that side.
+    // A patch whose sheet cells all lie on one side is evidence for that side.
     void add_patches(Evidence& evidence) const
     {
-        std::map<int, std::pair<int, int>> sheet_cell;  // by patch: one of its cells, both sides?
+        // by patch: one of its cells, whether it has both sides
+        std::map<int, std::pair<int, int>> sheet_cell;
         for (std::size_t t = 0; t < cells_.cell.size(); ++t)
             if (const int cell = cells_.cell[t]; cell >= 0 && side_in_growing(cell) != 0)
             {
@@ -195,12 +196,12 @@ private:
     const FacetGraph& graph_;
     const SkinCells& cells_;
     ParitySets sets_;
-    std::vector<int> seeds_;  // by component: a cell of the sheet that grows, -1 without
+    std::vector<int> seeds_;  // by component: a cell of the growing sheet, or -1
     std::vector<std::map<int, double>> ledges_;
-    std::set<int> finished_;  // roots of the sheets that have grown
+    std::set<int> finished_;  // roots of the sheets that are complete
 };
 
-// Diagonals of the components' boxes, mm.
+// Diagonals of the components' bounding boxes, mm.
 std::vector<double> sizes(const mesh::TriangleMesh& mesh, const FacetGraph& graph)
 {
     std::vector<Eigen::RowVector3d> low(at(graph.component_count()),

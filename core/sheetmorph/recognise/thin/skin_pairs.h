@@ -6,25 +6,25 @@
 namespace sheetmorph::recognise
 {
 
-//! Of a thin component's surface.
+//! Minimum share of a thin component's surface.
 constexpr double least_share_of_skins = 0.6;
 
-//! Which facets make up the two skins of every thin component.
+//! The facets that form the two skins of every thin component.
 struct SkinPairs
 {
-    std::vector<int> side;      //!< (m) +1 and -1 on the two skins, 0 on everything else
+    std::vector<int> side;      //!< (m) +1 and -1 on the two skins, 0 elsewhere
     std::vector<char> is_thin;  //!< by component
-    std::vector<double> share;  //!< by component: of its surface that the two skins are
+    std::vector<double> share;  //!< by component: share of its surface that the two skins cover
 };
 
-//! Gathers the cells of every component to two skins: what sees each other through the material is
-//! on opposite sides; cells that meet in a crease, or are part of one smooth patch, are one skin if
-//! that puts every facet on one side only - so ribs, which would be on both, are none.
-//! A component is thin if its skins are at least 60 % of its surface and its thickness is at most a
-//! tenth of its size.
-//! \param are_several  whether a component may have several sheets, which something that is not
-//! thin
-//!                     joins, as welded brackets do
+//! Groups the cells of every component into two skins. Cells that face each other through the
+//! material are on opposite sides. Cells that meet in a crease, or belong to one smooth patch, join
+//! the same skin if every facet then has a unique side. Ribs would be on both sides and are
+//! excluded.
+//! A component is thin if its skins cover at least 60 % of its surface and its thickness is at most
+//! a tenth of its size.
+//! \param are_several  whether a component may have several sheets joined by a thick body, as
+//!                     welded brackets have
 SkinPairs skin_pairs(const mesh::TriangleMesh& mesh, const FacetGraph& graph,
                      const SkinCells& cells, bool are_several = false);
 

@@ -19,15 +19,16 @@ namespace
 {
 
 constexpr double reach_of_walls = 1.6;
-constexpr double thickest_of_skin = 1.8;  // more than sqrt(3): the corner of a folded box
+constexpr double thickest_of_skin = 1.8;  // above sqrt(3): the corner of a folded box
 
-// A facet whose normal is farther than 60 degrees from the way to the other skin runs along it.
+// A facet whose inward normal deviates by more than 60 degrees from the direction to the other skin
+// runs along that direction.
 constexpr double across = 0.5;
 
 constexpr int on_both = 2;
 constexpr int none = -1;
 
-constexpr Eigen::Index least_facets = 50;  // worth a thread
+constexpr Eigen::Index least_facets = 50;  // fewest worth a thread
 
 class Walls
 {
@@ -66,27 +67,28 @@ public:
     }
 
 private:
-    // 0 on components that are not thin solids.
+    // 0 on components that are not thin.
     double thickness(int facet) const
     {
         const std::size_t component = at(graph_.component(facet));
         return pairs_.is_thin[component] ? cells_.thickness[component] : 0.0;
     }
 
-    // Whether a facet is yet on neither skin.
+    // Whether a facet is not on a skin yet.
     bool is_open(int facet) const
     {
         return pairs_.side[at(facet)] == 0 && !graph_.is_thin(facet) && thickness(facet) > 0.0;
     }
 
-    // The skin that the patch of a facet is on, if it is on one.
+    // The skin of the facet's patch, or on_both if the patch has no skin or both.
     int side_of(int facet) const
     {
         const auto patch = side_of_patch_.find(cells_.patch[at(facet)]);
         return patch != side_of_patch_.end() ? patch->second : on_both;
     }
 
-    // How far corners of facets that may be walls are from the skins: facets share them.
+    // Measures the distances from corners of possible walls to the skins once, because facets share
+    // corners.
     void measure_corners()
     {
         facet_at_.assign(at(mesh_.vertex_count()), none);
@@ -109,7 +111,8 @@ private:
 
     Vector3 corner(int vertex) const { return mesh_.points().row(vertex).transpose(); }
 
-    // On a skin of the component of a facet: what touches it from outside plays no role.
+    // Searches the skins of the facet's own component only; parts that touch it from outside have
+    // no effect.
     mesh::Hit nearest(int facet, int sign, const Vector3& point) const
     {
         return *trees_.at({graph_.component(facet), sign}).nearest_point(point);
@@ -125,7 +128,7 @@ private:
             }
     }
 
-    // Farthest a corner of the facet is from a skin.
+    // The largest distance of a corner of the facet from a skin, mm.
     double farthest(int facet, int sign) const
     {
         double longest = 0.0;
@@ -172,7 +175,8 @@ private:
         result_.is_lump[at(facet)] = other.distance > thickest_of_skin * thickness(facet);
     }
 
-    // A ledge is low with all its facets; beside a rim every wall has low ones.
+    // Keeps only the ledges whose facets are all low, because every wall has low facets along its
+    // rims.
     void keep_whole_ledges()
     {
         std::set<int> high;
@@ -216,8 +220,8 @@ private:
                 }
     }
 
-    // Facets without a plane go with a skin all of whose corners they share, so that it has no
-    // slit.
+    // Adds degenerate facets to a skin that contains all their corners, because the skin would
+    // otherwise have a slit.
     void place_thin_facets()
     {
         std::vector<std::array<char, 2>> touches(at(mesh_.vertex_count()), {0, 0});
@@ -241,9 +245,10 @@ private:
     const SkinPairs& pairs_;
     std::map<std::pair<int, int>, mesh::PickingTree> trees_;  // by component and side
     std::map<int, int> side_of_patch_;
-    std::vector<int> facet_at_;  // by vertex: one whose component it was measured in, none
-    std::vector<std::array<double, 2>> distances_;  // from the skins -1 and 1
-    std::vector<char> is_wall_, is_ledge_;          // a ledge lies on one skin with all its corners
+    // by vertex: a facet whose component its distances refer to, or none
+    std::vector<int> facet_at_;
+    std::vector<std::array<double, 2>> distances_;  // mm, from the skins -1 and 1
+    std::vector<char> is_wall_, is_ledge_;          // all corners of a ledge lie on one skin
     FacetSides result_;
 };
 

@@ -13,11 +13,11 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// How much of its own length a wall must look inwards to be that of a hole: a slot 50 times as long
-// as wide still does.
+// Minimum mean cosine between the normals of a hole's wall and the direction to its middle. A slot
+// 50 times as long as wide still exceeds it.
 constexpr double looks_inwards = 0.02;
 
-// The facets of every set, by the first vertex of its facets.
+// The facets of every set, ordered by the root of the set.
 std::vector<std::vector<int>> grouped(DisjointSets& sets, const std::vector<char>& is_member)
 {
     std::map<int, std::vector<int>> groups;

@@ -7,16 +7,18 @@
 namespace sheetmorph::recognise
 {
 
-//! The vertices of every connected piece of wall, rims included; by rising first vertex.
+//! The vertices of every connected wall, rims included, ordered by first vertex.
 std::vector<VertexIds> wall_pieces(const mesh::TriangleMesh& mesh, const FacetGraph& graph,
                                    const std::vector<SolidSide>& facets);
 
-//! The walls that go around a hole: their facets look at the middle of what they enclose, those of
-//! an outer border away from it. \param solid  facets, vertices and walls are read
+//! The walls around holes. Their facets face the middle of the wall; those of an outer border face
+//! away from it.
+//! \param solid  only facets and vertices are used
 std::vector<ThroughHole> through_holes(const mesh::TriangleMesh& mesh, const FacetGraph& graph,
                                        const ThinSolid& solid);
 
-//! The vertices of every lump; facets on both skins are one if they see each other.
+//! The vertices of every lump. Lump facets that share a vertex or face each other through the
+//! material form one lump.
 //! \param is_lump  (m)
 std::vector<VertexIds> lump_pieces(const mesh::TriangleMesh& mesh,
                                    const std::vector<InwardProbe>& probes,

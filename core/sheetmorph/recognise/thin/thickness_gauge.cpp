@@ -17,7 +17,7 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// Outside these many thicknesses, what is nearest at rest is not the skin opposite.
+// In thicknesses. At rest, a nearest point outside this range is not on the opposite skin.
 constexpr double nearest = 0.3;
 constexpr double farthest = 1.8;
 
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    // From the vertices of one skin to the other one.
+    // Measures from the vertices of one skin to the other skin.
     void from(SolidSide side, SolidSide other)
     {
         VertexIds vertices;
@@ -71,7 +71,7 @@ private:
                 note(vertices[k], found[k]);
     }
 
-    // From a vertex to the other skin across its sheet, mm; 0 where there is none at rest.
+    // From a vertex to the other skin across its sheet, mm; 0 if there is none at rest.
     struct Distances
     {
         double before = 0.0;

@@ -6,22 +6,22 @@
 namespace sheetmorph::recognise
 {
 
-//! Where the thickness changes most.
+//! The vertex whose thickness changes most.
 struct ThicknessPlace
 {
-    int vertex = -1;                    //!< -1 where nothing was measured
+    int vertex = -1;                    //!< -1 if nothing was measured
     double rest = 0.0, deformed = 0.0;  //!< mm
 };
 
-//! The thickness of a thin solid at rest and in one pose, mm: distances of the vertices of one skin
-//! to the other. Lumps are left out.
+//! The thickness of a thin solid at rest and in one pose, mm, from the vertices of each skin to the
+//! other. Lumps are excluded.
 struct ThicknessChange
 {
     double rest_least = 0.0, rest_most = 0.0;
     double least = 0.0, most = 0.0;
-    double worst = 0.0;           //!< largest |t / t_rest - 1| away from the edges of walls
-    double worst_at_walls = 0.0;  //!< the same at vertices that are on a wall too
-    ThicknessPlace place;         //!< of the larger one of both
+    double worst = 0.0;           //!< largest |t / t_rest - 1| away from walls
+    double worst_at_walls = 0.0;  //!< the same at vertices on a wall
+    ThicknessPlace place;         //!< of the larger of the two
 };
 
 //! \param mesh       at rest

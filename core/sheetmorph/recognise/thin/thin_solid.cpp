@@ -19,10 +19,10 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// Beyond this many typical thicknesses, what a look finds is not the other skin.
+// In typical thicknesses. A ray that ends beyond this has not reached the other skin.
 constexpr double farthest_skin = 1.8;
 
-// What speaks against a skin of one component as the main one, the first that differs decides.
+// Criteria for the main skin of a component, in order; the first that differs decides.
 struct Candidate
 {
     double steps = 0.0, area = 0.0;
@@ -39,7 +39,7 @@ struct Candidate
     }
 };
 
-// By component: +1 or -1, the side that is the main skin.
+// By component: +1 or -1, the side of the main skin.
 std::vector<int> main_sides(const FacetGraph& graph, const FacetSides& sides)
 {
     std::vector<std::array<Candidate, 2>> skins(at(graph.component_count()));
@@ -89,8 +89,8 @@ std::vector<SolidSide> vertex_sides(const mesh::TriangleMesh& mesh,
     return found;
 }
 
-// The mean of what the looks from the facets around a vertex, on its own skin, have found; looks
-// through lumps do not count.
+// Averages the lengths of the rays from the facets of a vertex's own skin. Rays from lumps do not
+// count.
 Eigen::VectorXd thickness_map(const mesh::TriangleMesh& mesh, const ThinSolid& solid,
                               const std::vector<InwardProbe>& probes,
                               const std::vector<double>& typical)
@@ -117,7 +117,7 @@ Eigen::VectorXd thickness_map(const mesh::TriangleMesh& mesh, const ThinSolid& s
         .select(sum.array() / share.array(), std::numeric_limits<double>::quiet_NaN());
 }
 
-// By component: its typical thickness, 0 if it is not thin.
+// By component: its typical thickness, mm; 0 if it is not thin.
 std::vector<double> thickness_of_components(const SkinCells& cells, const SkinPairs& pairs)
 {
     std::vector<double> found = cells.thickness;
@@ -126,7 +126,7 @@ std::vector<double> thickness_of_components(const SkinCells& cells, const SkinPa
     return found;
 }
 
-// The thickness of the thin component with the largest surface.
+// The typical thickness of the thin component with the largest surface, mm.
 double main_thickness(const FacetGraph& graph, const SkinCells& cells, const SkinPairs& pairs)
 {
     std::vector<double> areas(at(graph.component_count()), 0.0);
@@ -137,7 +137,7 @@ double main_thickness(const FacetGraph& graph, const SkinCells& cells, const Ski
     return cells.thickness[static_cast<std::size_t>(largest - areas.begin())];
 }
 
-// Takes components over that are thin if they have several sheets, joined by what is not thin.
+// Adds components that are thin if they may have several sheets joined by thick bodies.
 void add_joined_sheets(const SkinPairs& several, const FacetGraph& graph, SkinPairs& pairs)
 {
     for (int t = 0; t < graph.triangle_count(); ++t)
@@ -162,7 +162,7 @@ std::string why_not(const FacetGraph& graph, const SkinPairs& pairs)
            + std::to_string(std::lround(100.0 * share)) + " % of its surface); leave it as it is";
 }
 
-// What the facets of a mesh were found to be, before the solid is put together.
+// Intermediate results about the facets of a mesh.
 struct Findings
 {
     const mesh::TriangleMesh& mesh;
@@ -189,7 +189,7 @@ ThinSolid solid_of(const Findings& found, const SkinPairs& pairs)
     return solid;
 }
 
-// By component: whether its main skin is in several pieces that no lump holds together.
+// By component: whether its main skin is in several pieces that no lump connects.
 std::vector<char> broken_components(const mesh::TriangleMesh& mesh, const ThinSolid& solid)
 {
     DisjointSets sets(mesh.vertex_count());

@@ -6,14 +6,14 @@
 namespace sheetmorph::repair
 {
 
-//! Answers what is nearest on one patch of a mesh, however near the others are.
+//! Nearest-point queries restricted to one patch of a mesh, however near other patches are.
 class PatchTrees
 {
 public:
-    //! \param patch  (m) of every triangle
+    //! \param patch  (m) patch of every triangle
     PatchTrees(const mesh::TriangleMesh& mesh, const std::vector<int>& patch);
 
-    //! The place on a patch nearest to a point; its triangle is one of the whole mesh.
+    //! The point of a patch nearest to `point`; its triangle refers to the whole mesh.
     mesh::Hit nearest(int patch, const Vector3& point) const;
 
 private:

@@ -15,10 +15,11 @@ namespace sheetmorph::repair
 namespace
 {
 
-constexpr double flatness = 2e-7;         // of the size: distance from the plane of a group
+constexpr double flatness = 2e-7;  // relative to the mesh size: distance from the plane of a group
 constexpr double same_direction = 0.999;  // cosine between the normals inside a group
 
-// Groups of coplanar triangles, begun with the largest, whose plane is the surest.
+// Groups of coplanar triangles, each grown from its largest triangle, whose plane is the most
+// accurate.
 class PlaneFlood
 {
 public:
@@ -86,7 +87,7 @@ private:
     int count_ = 0;
 };
 
-// Whether each group is wide: twice its area over the length of its border.
+// Whether each group is wide. The width is twice its area divided by the length of its border.
 std::vector<char> wide_groups(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
                               const std::vector<int>& plane, double least_width)
 {
@@ -110,7 +111,7 @@ std::vector<char> wide_groups(const mesh::TriangleMesh& mesh, const mesh::EdgeTa
     return is_wide;
 }
 
-// Patches are what ridges separate; numbered by their first triangle.
+// Patches are connected regions between ridges, numbered by their first triangle.
 void number_patches(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
                     const std::vector<char>& is_wide, Patches& found)
 {

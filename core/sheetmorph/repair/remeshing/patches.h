@@ -6,23 +6,23 @@
 namespace sheetmorph::repair
 {
 
-//! Where a mesh is flat, where it is curved, and where it breaks.
+//! The flat and curved regions of a mesh and the ridges between them.
 struct Patches
 {
-    std::vector<int> plane;      //!< (m) which coplanar group of facets a triangle belongs to
-    std::vector<int> patch;      //!< (m) which patch it belongs to: a flat, or a curved region
-    std::vector<char> is_flat;   //!< of every patch
-    std::vector<char> is_ridge;  //!< of every edge of the table: the border of a patch
+    std::vector<int> plane;      //!< (m) index of the triangle's coplanar group
+    std::vector<int> patch;      //!< (m) index of the triangle's patch: a flat or a curved region
+    std::vector<char> is_flat;   //!< by patch
+    std::vector<char> is_ridge;  //!< by edge of the table: whether it is the border of a patch
 };
 
-//! What splits a mesh into patches.
+//! Options of find_patches().
 struct PatchOptions
 {
-    double crease_angle = 0.35;  //!< edges that bend by more are ridges, radians
-    double least_width = 1.0;    //!< coplanar groups wider than this are flats of their own, mm
+    double crease_angle = 0.35;  //!< edges with a larger bend are ridges, radians
+    double least_width = 1.0;    //!< coplanar groups wider than this are flats, mm
 };
 
-//! The patches of a mesh. Facets are coplanar within 2e-7 of the size of the mesh.
+//! Splits a mesh into patches. Facets are coplanar within 2e-7 of the size of the mesh.
 Patches find_patches(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
                      const PatchOptions& options);
 

@@ -15,7 +15,7 @@ namespace sheetmorph::repair
 namespace
 {
 
-// value(k) for 0 .. count - 1, each a search in a tree or some.
+// value(k) for 0 .. count - 1 in parallel; each value takes at least one tree search.
 template <typename Value>
 Eigen::VectorXd measured(int count, const Value& value)
 {
@@ -51,12 +51,12 @@ public:
     }
 
 private:
-    // A vertex of the result. A frozen one is known by its place in the cut mesh.
+    // A vertex of the result. A frozen one is identified by its vertex in the cut mesh.
     struct Placed
     {
         Vector3 point;
         int origin;  // in the cut mesh; -1 if it is free
-        int patch;   // of a free one
+        int patch;   // of a free vertex
     };
 
     bool is_old(const Placed& vertex) const
@@ -88,7 +88,7 @@ private:
             number_of(v);
     }
 
-    // Numbers are given when they are first asked for.
+    // Assigns a number on first use.
     int number_of_cut(int vertex)
     {
         const auto [found, is_new] = of_cut_.emplace(vertex, static_cast<int>(vertices_.size()));
@@ -107,7 +107,7 @@ private:
         return found->second;
     }
 
-    // A vertex of a flat on its twin.
+    // The copy of a flat's vertex on its twin.
     int number_on_twin(int v, const TwinFlats& pair)
     {
         const auto on_outline = pair.vertex_of.find(work_.origin[v]);
@@ -160,7 +160,7 @@ private:
         found_.mesh = mesh::TriangleMesh(std::move(points), std::move(rows));
     }
 
-    // A triangle given at every vertex given, and at every edge.
+    // Locates every vertex on a triangle of the input.
     void place_vertices()
     {
         const Triangles& triangles = source_.mesh.triangles();
@@ -210,7 +210,7 @@ private:
         found_.barycentric.row(row) = hit.barycentric.transpose();
     }
 
-    // How far the new triangles are from the facets of their patch.
+    // Measures the distance of the new triangles from the facets of their patch.
     void measure()
     {
         const Eigen::VectorXd distances =
@@ -238,8 +238,8 @@ private:
         return most;
     }
 
-    // Old vertices off the ridges are gone: the nearest new one of their patch stands for each,
-    // however near other sheets are.
+    // Input vertices off the ridges no longer exist. Each maps to the nearest new vertex of its own
+    // patch, however near other sheets are.
     void follow_old_vertices()
     {
         found_.vertex_of.assign(static_cast<std::size_t>(old_count_), -1);
@@ -269,7 +269,7 @@ private:
                                                 : found_.deviation;
     }
 
-    // By vertex given: a patch around it that is still there, -1 if it is kept or unused.
+    // By input vertex: a surviving patch around it; -1 if the vertex is kept or unused.
     std::vector<int> patches_of_gone_vertices() const
     {
         std::vector<char> is_there(source_.patches.is_flat.size(), 0);
@@ -287,8 +287,8 @@ private:
     const RemeshSource& source_;
     int old_count_;
     std::vector<Placed> vertices_;
-    std::map<int, int> of_cut_;   // the number of a vertex of the cut mesh
-    std::map<int, int> of_free_;  // of the working mesh
+    std::map<int, int> of_cut_;   // by vertex of the cut mesh
+    std::map<int, int> of_free_;  // by vertex of the working mesh
     std::map<std::pair<int, int>, int> of_twin_;
     RemeshedMesh found_;
 };

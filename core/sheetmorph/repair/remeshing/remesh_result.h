@@ -10,20 +10,20 @@
 namespace sheetmorph::repair
 {
 
-//! What a remeshed mesh is compared with.
+//! The input that a remeshed mesh is compared with.
 struct RemeshSource
 {
-    const mesh::TriangleMesh& mesh;  //!< as it was given
+    const mesh::TriangleMesh& mesh;
     const mesh::EdgeTable& table;
     const Patches& patches;
     const CutMesh& cut;
     const PatchTrees& trees;
-    const std::vector<TwinFlats>& twins;  //!< the twins are not in the working mesh
+    const std::vector<TwinFlats>& twins;  //!< the working mesh does not contain the twins
     int circles;
 };
 
-//! The finished mesh: the vertices given that are still in place first, in their order, then the
-//! new ones.
+//! Builds the final mesh. Input vertices that are still in place come first, in their order, then
+//! the new ones.
 RemeshedMesh result_of(const WorkingMesh& work, const RemeshSource& source);
 
 }  // namespace sheetmorph::repair

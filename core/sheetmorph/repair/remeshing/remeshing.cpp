@@ -27,8 +27,8 @@ using Pairs = std::vector<std::pair<int, int>>;
 
 constexpr double most_triangles = 3e6;
 
-// What a remesh may make, so that its work grows with what it is given: of the facets given, of the
-// triangles that the edge length alone needs, and at least.
+// The number of triangles is limited in proportion to the input: a multiple of the input facets,
+// plus a multiple of the triangles that the edge length alone needs, and at least always_allowed.
 constexpr double per_facet = 50.0, per_needed = 4.0, always_allowed = 50e3;
 
 void require_three_corners(const Triangles& triangles)
@@ -51,10 +51,11 @@ double total_area(const TriangleMesh& mesh)
     return area;
 }
 
-// Equilateral triangles of an edge length that cover an area.
+// The number of equilateral triangles of this edge length that cover an area (sqrt(3) / 4 edge^2
+// each).
 double needed(double area, double edge)
 {
-    // One after the other: the square of a tiny edge is 0.
+    // Divides twice, because the square of a tiny edge underflows to 0.
     return area / 0.433 / edge / edge;
 }
 
@@ -74,7 +75,7 @@ void check(const TriangleMesh& mesh, const RemeshOptions& options)
             "give a longer edge, " + std::to_string(std::sqrt(area / 0.433 / 3e5)) + " mm or so");
 }
 
-// Small facets on bends and beside rims ask for short edges far beyond what the edge length does.
+// Small facets on bends and near rims can require edges far shorter than the target edge length.
 std::size_t allowed_triangles(const TriangleMesh& mesh, double edge)
 {
     const double wanted =
@@ -82,7 +83,7 @@ std::size_t allowed_triangles(const TriangleMesh& mesh, double edge)
     return static_cast<std::size_t>(std::clamp(wanted, always_allowed, 2.0 * most_triangles));
 }
 
-// The edges of a table for which a condition holds, as sorted pairs of vertices.
+// The edges of a table that meet a condition, as sorted pairs of vertices.
 template <typename Condition>
 Pairs pairs_where(const mesh::EdgeTable& table, Condition condition)
 {
@@ -96,8 +97,8 @@ Pairs pairs_where(const mesh::EdgeTable& table, Condition condition)
     return pairs;
 }
 
-// The same flats with better triangles between the same vertices: what is cut along ridges
-// afterwards then has short ways across.
+// The same flats with Delaunay triangles between the same vertices, so that later cuts along ridges
+// make short diagonals.
 TriangleMesh flipped_on_planes(const TriangleMesh& mesh, const mesh::EdgeTable& table,
                                const Patches& patches)
 {
@@ -120,7 +121,7 @@ TriangleMesh flipped_on_planes(const TriangleMesh& mesh, const mesh::EdgeTable& 
     return TriangleMesh(mesh.points(), std::move(triangles));
 }
 
-// The ridges of a mesh in the table of another with the same ridges.
+// The ridges of a mesh in the edge table of another mesh with the same ridges.
 Patches on_table(const Patches& patches, const mesh::EdgeTable& before,
                  const mesh::EdgeTable& after)
 {
@@ -137,14 +138,13 @@ Patches on_table(const Patches& patches, const mesh::EdgeTable& before,
     return found;
 }
 
-// Triangles and the patch of each.
 struct PatchTriangles
 {
     TriangleMesh mesh;
     std::vector<int> patch;
 };
 
-// A mesh without the second flat of every pair.
+// The mesh without the second flat of every pair.
 PatchTriangles without_twins(const PatchTriangles& given, const std::vector<TwinFlats>& twins)
 {
     std::vector<int> kept;
@@ -178,8 +178,9 @@ void project(WorkingMesh& work, const PatchTrees& trees)
     parallel_ranges(static_cast<Eigen::Index>(moving.size()), microsecond_items, project_some);
 }
 
-// A given number of rounds, as the method has it: each is a step to even triangles, none is needed.
-// What must end are the steps inside the last that makes new edges, and the last flips.
+// A fixed number of rounds, as in the method: every round makes the triangles more even, and no
+// round depends on convergence. Only the splits and collapses of the last round and the final flips
+// must converge.
 Convergence improve(WorkingMesh& work, const PatchTrees& trees, const Progress& progress)
 {
     constexpr int rounds = 8, finishing = 3;

@@ -14,7 +14,7 @@ namespace
 
 using Corners = std::array<int, 3>;
 
-// What is wanted along an edge: sizes at its ends that grow inwards up to the largest.
+// Target sizes along an edge: given at its ends, growing inwards up to the largest.
 struct EdgeSizes
 {
     double length, from, to, largest;
@@ -26,7 +26,7 @@ struct EdgeSizes
     }
 };
 
-// Shares of an edge at which it is cut: equal steps of the integral of 1 / size.
+// Positions (0 to 1) of the cuts of an edge: equal steps of the integral of 1 / size.
 std::vector<double> even_cuts(const EdgeSizes& sizes)
 {
     constexpr int steps = 256;
@@ -45,7 +45,7 @@ std::vector<double> even_cuts(const EdgeSizes& sizes)
     return cuts;
 }
 
-// Cuts ridges first and then the triangles at them.
+// Cuts the ridges first, then their triangles.
 class RidgeCutter
 {
 public:
@@ -132,7 +132,7 @@ private:
             found_.ridges.emplace_back(std::min(ids[k - 1], ids[k]), std::max(ids[k - 1], ids[k]));
     }
 
-    // The vertices put into side k of a triangle, in its direction.
+    // The vertices inserted into side k of a triangle, in the direction of the side.
     VertexIds inside_side(int triangle, int k) const
     {
         const int edge = table_.edge_of(triangle, k);
@@ -152,7 +152,8 @@ private:
                   triangle);
     }
 
-    // A fan over the first side that has vertices inside; what is left of the others goes on.
+    // Makes a fan over the first side with inserted vertices and cuts the remaining sides
+    // recursively.
     void cut_sides(Corners corners, std::array<VertexIds, 3> sides, int origin)
     {
         if (sides[0].empty() && (!sides[1].empty() || !sides[2].empty()))
@@ -179,10 +180,10 @@ private:
 
     const mesh::TriangleMesh& mesh_;
     const mesh::EdgeTable& table_;
-    std::vector<int> first_;  // of every edge: its first new vertex
+    std::vector<int> first_;  // by edge: its first new vertex
     std::vector<int> count_;
     std::vector<Corners> pieces_;
-    using Stops = std::vector<std::pair<double, double>>;  // share of an edge and the size there
+    using Stops = std::vector<std::pair<double, double>>;  // position on an edge and the size there
     std::map<std::pair<int, int>, Stops> stops_;
     CutMesh found_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/repair/remeshing/round_rims.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/mesh/regions/crease_loops.h"
 
 #include <Eigen/Geometry>
@@ -13,9 +14,9 @@ namespace sheetmorph::repair
 namespace
 {
 
-constexpr double rim_angle = 0.7;
-constexpr double roundness = 0.02;
-constexpr double fewest_segments = 36.0;
+constexpr double rim_angle = 0.7;         // radians, as in mesh/quality/diagnosis.cpp
+constexpr double roundness = 0.02;        // tolerance of round_rim(), as there
+constexpr double fewest_segments = 36.0;  // of a rim: 10 degrees each
 
 Vector3 on_circle(const fitting::CircleFit& circle, const Vector3& place)
 {
@@ -49,7 +50,7 @@ std::vector<double> RoundRims::sizes(int count) const
     std::vector<double> found(static_cast<std::size_t>(count),
                               std::numeric_limits<double>::infinity());
     for (const auto& [vertex, circle] : circle_of_)
-        found[vertex] = 2.0 * M_PI * circles_[circle].radius / fewest_segments;
+        found[vertex] = 2.0 * pi * circles_[circle].radius / fewest_segments;
     return found;
 }
 

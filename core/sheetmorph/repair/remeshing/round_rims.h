@@ -9,7 +9,7 @@
 namespace sheetmorph::repair
 {
 
-//! The round rims of a mesh and their circles; none if default-constructed.
+//! The round rims of a mesh and their circles; empty if default-constructed.
 class RoundRims
 {
 public:
@@ -18,18 +18,18 @@ public:
 
     int count() const { return static_cast<int>(circles_.size()); }
 
-    //! The edge length wanted at the first `count` vertices, so that rims are round; infinite off
+    //! The target edge length at the first `count` vertices that makes rims round, mm; infinite off
     //! the rims.
     std::vector<double> sizes(int count) const;
 
-    //! The mesh with the vertices of the rims, those put into their edges included, on the circles.
-    //! \param old_count  vertices before edges were cut
+    //! Moves the vertices of the rims, including those inserted into their edges, to the circles.
+    //! \param old_count  number of vertices before edges were cut
     mesh::TriangleMesh rounded(int old_count, const CutMesh& cut) const;
 
 private:
     std::vector<fitting::CircleFit> circles_;
-    std::map<int, int> circle_of_;                       // of a rim's vertex
-    std::map<std::pair<int, int>, int> circle_of_edge_;  // of a rim's edge, smaller vertex first
+    std::map<int, int> circle_of_;                       // by vertex of a rim
+    std::map<std::pair<int, int>, int> circle_of_edge_;  // by edge of a rim, smaller vertex first
 };
 
 }  // namespace sheetmorph::repair

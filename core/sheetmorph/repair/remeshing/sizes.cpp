@@ -13,17 +13,17 @@ namespace sheetmorph::repair
 namespace
 {
 
-constexpr double finest = 1.0 / 30.0;  // of the edge length wanted
-constexpr double per_segment = 1.3;    // edges beside a ridge, over its shortest segment
-constexpr double per_radius = 0.35;    // edges on a bend, over its radius
-constexpr double least_bend = 0.003;   // radians; less counts as flat
+constexpr double finest = 1.0 / 30.0;  // relative to the target edge length
+constexpr double per_segment = 1.3;    // edges next to a ridge, relative to its shortest segment
+constexpr double per_radius = 0.35;    // edges on a bend, relative to its radius
+constexpr double least_bend = 0.003;   // radians; a smaller bend counts as flat
 
 double length(const mesh::TriangleMesh& mesh, const mesh::EdgeUse& use)
 {
     return (mesh.points().row(use.to) - mesh.points().row(use.from)).norm();
 }
 
-// Of a triangle over the edge it is used at.
+// Height of a triangle on one of its edges, mm.
 double height(const mesh::TriangleMesh& mesh, const mesh::EdgeUse& use)
 {
     const Vector3 way = mesh.points().row(use.to) - mesh.points().row(use.from);
@@ -31,13 +31,13 @@ double height(const mesh::TriangleMesh& mesh, const mesh::EdgeUse& use)
     return way.cross(across).norm() / std::max(way.norm(), 1e-300);
 }
 
-// The radius of the bend that an edge between two facets is a line of.
+// Radius of curvature at an edge: mean height of its two facets divided by the bend, mm.
 double radius(const mesh::TriangleMesh& mesh, const mesh::EdgeUses& uses, double bend)
 {
     return 0.5 * (height(mesh, *uses.begin()) + height(mesh, *(uses.begin() + 1))) / bend;
 }
 
-// Vertices reach each other along edges; the smallest is settled first.
+// Limits the growth of sizes along edges with Dijkstra's algorithm, from small to large.
 void grow_slowly(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
                  std::vector<double>& size)
 {

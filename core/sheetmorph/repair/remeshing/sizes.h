@@ -6,18 +6,18 @@
 namespace sheetmorph::repair
 {
 
-//! How fast edges may grow with the distance from something small.
+//! Largest growth of the edge length per distance.
 constexpr double size_growth = 0.3;
 
-//! The longest edges wanted.
+//! Upper limits of the edge length.
 struct SizeLimits
 {
-    double edge = 1.0;                //!< anywhere, mm
+    double edge = 1.0;                //!< everywhere, mm
     std::vector<double> at_vertices;  //!< (n) at every vertex, mm
 };
 
-//! The edge length wanted at every vertex (n), mm: the longest on flats, shorter where ridges have
-//! short segments (rims of holes) and where the sheet is curved, growing slowly from there.
+//! The target edge length at every vertex (n), mm. It is largest on flats and shorter near ridges
+//! with short segments (rims of holes) and near curved regions. From there it grows slowly.
 std::vector<double> wanted_sizes(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
                                  const Patches& patches, const SizeLimits& limits);
 

@@ -13,17 +13,19 @@ namespace sheetmorph::repair
 namespace
 {
 
-constexpr double same_place = 1e-6;  // of the size of the mesh
-constexpr double same_area = 0.01;   // of the area: an arc may have a chord more
-constexpr double farthest = 0.5;     // of the square root of the area: how far twins are apart
-constexpr double beside = 0.05;      // of an edge: how far from it the vertex put into it may be
+constexpr double same_place = 1e-6;  // relative to the size of the mesh
+constexpr double same_area = 0.01;   // relative to the area: an arc may have one more chord
+// Largest distance between twins, relative to the square root of the area.
+constexpr double farthest = 0.5;
+// Relative to the edge's length: largest distance of an inserted vertex from it.
+constexpr double beside = 0.05;
 
-// The border of a flat, followed as its triangles run around.
+// The border of a flat, in the direction of its triangles.
 struct Outline
 {
     Vector3 area = Vector3::Zero();  // along the normal, mm^2
     std::map<int, int> next, before;
-    bool is_simple = true;  // it passes every vertex once
+    bool is_simple = true;  // whether it passes every vertex once
 };
 
 std::map<int, Outline> outlines(const PatchedMesh& given, const std::vector<int>& wanted)
@@ -62,7 +64,7 @@ Vector3 centre(const Points& points, const Outline& outline)
     return sum / static_cast<double>(std::max<std::size_t>(1, outline.next.size()));
 }
 
-// Vertices by their place along a direction that no model is drawn in.
+// Vertices sorted along a generic direction, along which few vertices of a model coincide.
 class Places
 {
 public:
@@ -73,7 +75,7 @@ public:
         std::sort(order_.begin(), order_.end());
     }
 
-    // The vertex nearest to a place within a distance, -1 if there is none.
+    // The vertex nearest to a point within a distance; -1 if there is none.
     int at(const Vector3& place, double reach) const
     {
         const double key = across_.dot(place.transpose());
@@ -96,7 +98,7 @@ private:
     std::vector<std::pair<double, int>> order_;
 };
 
-// Walks along both outlines at once, the one forwards, the other backwards.
+// Follows two outlines simultaneously, one forwards and the other backwards.
 class SideBySide
 {
 public:
@@ -105,7 +107,7 @@ public:
     {
     }
 
-    //! The way from the one flat to the other; nothing if they are no twins for their shape alone.
+    //! The offset from one flat to the other; nothing if areas and orientation rule out twins.
     std::optional<Vector3> way() const
     {
         const double area = one_.area.norm();
@@ -119,11 +121,11 @@ public:
         return way;
     }
 
-    //! All pairs of vertices, beginning from those that are in the same place; whether every loop
-    //! has such a beginning and nothing stands against it.
+    //! Pairs all vertices, starting from those that coincide. Returns whether every loop has such a
+    //! start and the outlines agree.
     bool pair_up(const std::map<int, int>& same, const Vector3& way)
     {
-        // An outline that comes twice to one vertex can be followed for ever.
+        // An outline that visits a vertex twice could be followed endlessly.
         if (!one_.is_simple || !other_.is_simple)
             return false;
         way_ = way;
@@ -174,7 +176,7 @@ private:
         return true;
     }
 
-    // Vertices of one outline, put into the edge beside them of the other.
+    // Inserts vertices of one outline into the matching edge of the other.
     bool stop_at(const VertexIds& vertices, const std::pair<int, int>& edge, const Vector3& way)
     {
         const auto [from, to] = std::minmax(edge.first, edge.second);

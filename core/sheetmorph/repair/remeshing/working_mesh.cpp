@@ -70,7 +70,7 @@ void WorkingMesh::split(int t, int k)
 {
     const int a = corner(t, k), b = corner(t, k + 1);
     const double grown = size_growth * 0.5 * length(t, k);
-    // On a bend it is as curved in the middle as at the ends.
+    // On a bend, the middle of an edge is as curved as its ends.
     const double largest = is_flat_[patch[t]] ? largest_ : std::max(size[a], size[b]);
     size.push_back(std::min({size[a] + grown, size[b] + grown, largest}));
     point.push_back(0.5 * (point[a] + point[b]));

@@ -18,11 +18,12 @@ namespace
 
 constexpr double too_long = 4.0 / 3.0;
 constexpr double too_short = 4.0 / 5.0;
-constexpr double least_height = 0.02;  // over the longest edge, of a triangle that is made
+constexpr double least_height = 0.02;  // of a new triangle, relative to its longest edge
 constexpr auto edges_of_work = "the edges of the new mesh";
-constexpr double least_alignment = 0.8;  // cosine between a triangle before and after a step
+// Cosine between a triangle's normals before and after a step.
+constexpr double least_alignment = 0.8;
 
-// Whether a triangle keeps its side, and keeps some height.
+// Whether a triangle keeps its orientation, approximately, and has an area.
 bool is_sound(const Vector3& before, const Vector3& after)
 {
     const double product = before.norm() * after.norm();
@@ -47,10 +48,11 @@ bool flip_if_better(WorkingMesh& work, int t, int k)
     const int right = work.opposite(t, k), left = work.corner(t, k + 2);
     const Vector3 &a = work.at(t, k), &b = work.at(t, k + 1);
     const Vector3 &c = work.point[left], &d = work.point[right];
-    // Two angles sum up to more than pi where their cotangents sum up to less than 0.
+    // Two angles add up to more than pi if their cotangents add up to less than 0.
     if (!(cotangent_at(c, a, b) + cotangent_at(d, a, b) < -1e-7) || !work.may_flip(t, k))
         return false;
-    // The pair as one area: its triangles may be thin, and a thin one has no side of its own.
+    // Compares with the area vector of the pair, because a thin triangle alone has no reliable
+    // normal.
     const Vector3 pair = WorkingMesh::area_vector(a, b, c) + WorkingMesh::area_vector(b, a, d);
     if (!is_sound(pair, WorkingMesh::area_vector(a, d, c))
         || !is_sound(pair, WorkingMesh::area_vector(d, b, c)))
@@ -59,8 +61,8 @@ bool flip_if_better(WorkingMesh& work, int t, int k)
     return true;
 }
 
-// Whether the triangles around a vertex keep their sides when it goes to a place; those that
-// `gone` also has vanish.
+// Whether the triangles around a vertex keep their orientation if it moves to `place`. Triangles
+// that also contain the vertex `gone` disappear.
 bool may_move(const WorkingMesh& work, int v, int gone, const Vector3& place)
 {
     for (const int t : work.around(v))
@@ -69,7 +71,7 @@ bool may_move(const WorkingMesh& work, int v, int gone, const Vector3& place)
         if (work.corner(t, k + 1) == gone || work.corner(t, k + 2) == gone)
             continue;
         const Vector3 &p = work.at(t, k + 1), &q = work.at(t, k + 2), &now = work.point[v];
-        // A triangle without height may become any that has one.
+        // A degenerate triangle may become any triangle.
         const double height = height_ratio(now, p, q);
         if (height > 1e-4
             && (height_ratio(place, p, q) < std::min(least_height, height)
@@ -91,7 +93,7 @@ bool grows_too_long(const WorkingMesh& work, int v, const std::vector<int>& ring
                        });
 }
 
-// One end of a side goes onto the other, or both to the middle, if nothing speaks against it.
+// Collapses a side to one end or to its middle if the result is sound.
 void collapse_if_sound(WorkingMesh& work, int t, int k)
 {
     int a = work.corner(t, k), b = work.corner(t, k + 1);
@@ -120,8 +122,8 @@ void collapse_if_sound(WorkingMesh& work, int t, int k)
         work.size[a] = 0.5 * (work.size[a] + work.size[b]);
 }
 
-// The mean of the middles of the triangles around, by area and the size wanted there, moved back
-// into the plane of the vertex.
+// The centroid of the surrounding triangles, weighted by area over squared target size, projected
+// onto the tangent plane of the vertex.
 Vector3 smoothed_place(const WorkingMesh& work, int v)
 {
     Vector3 sum = Vector3::Zero(), normal = Vector3::Zero();
@@ -148,7 +150,7 @@ Vector3 smoothed_place(const WorkingMesh& work, int v)
     return work.point[v] + step - normal * normal.dot(step);
 }
 
-// A free side on a list. Work on the list may have moved it, or made it another one.
+// A free side in a work list. Earlier operations on the list may have changed or removed it.
 struct Side
 {
     double excess;
@@ -161,7 +163,7 @@ struct Side
     }
 };
 
-// The free sides whose length over the one wanted is chosen, those that are off by most first.
+// The free sides whose excess (a function of actual over target length) is above 1, largest first.
 template <typename Choice>
 std::vector<Side> sides_where(const WorkingMesh& work, Choice excess_of)
 {
@@ -183,7 +185,7 @@ std::vector<Side> sides_where(const WorkingMesh& work, Choice excess_of)
 Convergence flip_to_delaunay(WorkingMesh& work, int most_rounds)
 {
     Convergence found{edges_of_work, false, 0, 0.0, "edges"};
-    // Only beside what one round turned has the next something to turn.
+    // Only triangles next to an edge flipped in one round need to be checked in the next.
     std::vector<int> waiting(static_cast<std::size_t>(work.count()));
     std::iota(waiting.begin(), waiting.end(), 0);
     for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
@@ -224,7 +226,7 @@ std::vector<Side> long_sides(const WorkingMesh& work)
     return sides_where(work, [](double length) { return length / too_long; });
 }
 
-// Where the shortest edges wanted would make more triangles than allowed, they are wanted longer.
+// Raises the shortest target lengths if they would create more triangles than allowed.
 std::vector<Side> affordable_sides(WorkingMesh& work)
 {
     constexpr double growth = 1.25;
@@ -260,7 +262,7 @@ Convergence split_long_edges(WorkingMesh& work, int most_rounds)
     return found;
 }
 
-// A collapse renames the sides beside it: those are looked for again.
+// A collapse may rename adjacent sides; the next round finds them again.
 Convergence collapse_short_edges(WorkingMesh& work, int most_rounds)
 {
     Convergence found{edges_of_work, false, 0, 0.0, "edges"};

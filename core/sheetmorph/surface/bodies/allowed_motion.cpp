@@ -11,7 +11,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Where a body is whose rotation is known and that takes the point `from` at rest to `to`.
+// The state of a body with a given rotation that maps the rest point `from` to `to`.
 BodyState placed(const Body& body, const Matrix3& rotation, const Vector3& from, const Vector3& to)
 {
     return {rotation, to + rotation * (body.centre - from)};

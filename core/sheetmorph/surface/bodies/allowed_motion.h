@@ -6,22 +6,22 @@
 namespace sheetmorph::surface
 {
 
-//! The part of a rotation that is about an axis of unit length (swing-twist); the identity where
-//! it is not defined.
+//! The rotation about an axis (unit length) contained in a rotation (swing-twist decomposition);
+//! the identity if it is undefined.
 Matrix3 twist_about(const Matrix3& rotation, const Vector3& axis);
 
-//! Of what a body's FeatureMotion allows, the motion nearest to a wanted one.
+//! The motion nearest to `wanted` that the body's FeatureMotion allows.
 BodyState nearest_restricted(const PlacementInput& part, const Body& body, const BodyState& wanted);
 
-//! Of what a body's link allows, the motion nearest to a wanted one.
-//! \param leader  where the leading body is; its centre that of Following::centre moved
+//! The motion nearest to `wanted` that the body's link allows.
+//! \param leader  state of the leading body; its centre is the moved Following::centre
 BodyState nearest_following(const PlacementInput& part, const Body& body, const BodyState& leader,
                             const BodyState& wanted);
 
-//! A body moved as one with its leader.
+//! The state of a body that moves rigidly with its leader.
 BodyState carried_along(const Body& body, const BodyState& leader);
 
-//! Where a point of a body at rest is now.
+//! The deformed position of a point of a body at rest.
 Vector3 moved_point(const Body& body, const BodyState& state, const Vector3& point);
 
 }  // namespace sheetmorph::surface

@@ -15,8 +15,8 @@ namespace sheetmorph::surface
 namespace
 {
 
-//! The vertices that move as one: those of a feature, of a handle with a free rotation, or of a
-//! stitch that is carried along.
+//! Vertices that move rigidly together: those of a feature, of a handle with a free rotation, or of
+//! a carried stitch.
 struct Seed
 {
     const VertexIds* vertices = nullptr;
@@ -25,7 +25,7 @@ struct Seed
     int stitch = -1;
 };
 
-// Stitches that bodies or known vertices touch.
+// Adds the stitches that touch bodies or prescribed vertices.
 void add_carried_stitches(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints,
                           std::vector<Seed>& seeds)
 {
@@ -106,13 +106,13 @@ bool is_same(const FeatureMotion& a, const FeatureMotion& b)
     return a.type == b.type && a.point == b.point && a.direction == b.direction;
 }
 
-//! What the features of one body ask for.
+//! The requests of all features of one body.
 struct Wishes
 {
     int prescribed = -1;
     int restricted = -1;
     bool interpolated = false;
-    std::vector<Text> movers;  //!< of which only one can be obeyed
+    std::vector<Text> movers;  //!< drivers of which at most one is possible
 };
 
 Wishes wishes_of(const Body& body, const SurfaceConstraints& constraints)
@@ -181,7 +181,7 @@ void decide_rotation(Body& body, const Drivers& drivers, const Wishes& wishes)
         body.motion = Body::Motion::propagated;
 }
 
-// What a body keeps of its features' motions.
+// Applies the restriction that the features' motions impose on the body.
 void decide_restriction(Body& body, const Wishes& wishes, const SurfaceConstraints& constraints)
 {
     if (wishes.restricted < 0)

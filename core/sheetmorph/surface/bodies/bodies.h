@@ -10,21 +10,21 @@
 namespace sheetmorph::surface
 {
 
-//! A link as one of its two bodies keeps it.
+//! A link, as seen from the body that follows.
 struct Following
 {
     int link = 0;                      //!< index of the FeatureLink
     int feature = 0;                   //!< the feature that follows
-    int leader = -1;                   //!< the body that leads; -1: in another part
+    int leader = -1;                   //!< index of the leading body; -1: in another part
     Vector3 centre = Vector3::Zero();  //!< of the leading feature at rest, mm
 };
 
-//! Form features that share vertices or a group, a handle whose rotation is free, and stitches that
-//! these or known vertices touch: they move as one rigid body.
+//! One rigid body: form features that share vertices or a group, a handle with a free rotation, and
+//! stitches that touch these or prescribed vertices.
 struct Body
 {
-    //! What decides its motion. Fixed, handle and propagated vertices carry the features they
-    //! touch along with them.
+    //! How its motion is determined. Fixed, handle and propagated vertices carry the features they
+    //! touch.
     enum class Motion
     {
         fixed,
@@ -36,57 +36,58 @@ struct Body
     };
 
     std::vector<int> features;
-    std::vector<int> stitches;  //!< that it carries along
+    std::vector<int> stitches;  //!< stitches carried along
     VertexIds vertices;
     Vector3 centre = Vector3::Zero();
     Motion motion = Motion::free;
-    int driver = -1;      //!< the handle, or the feature whose rotation is prescribed
-    int handle = -1;      //!< the handle with a free rotation that it is
-    int restricted = -1;  //!< the feature whose FeatureMotion it keeps
+    int driver = -1;      //!< the handle, or the feature with a prescribed rotation
+    int handle = -1;      //!< the handle with a free rotation that is part of it
+    int restricted = -1;  //!< the feature with the FeatureMotion that restricts it
     std::optional<Following> following;
-    bool is_bound = false;  //!< it keeps a motion or a link: its translation is not the sheet's own
+    bool is_bound = false;  //!< a motion or link restricts its translation
 
-    //! Its motion is known before the energy is minimised.
+    //! Whether its motion is determined before the energy is minimised.
     bool is_known() const
     {
         return motion == Motion::fixed || motion == Motion::handle || motion == Motion::propagated;
     }
 
-    //! The sheet alone decides its translation.
+    //! Whether its translation depends on the sheet alone.
     bool is_open() const { return !is_known() && !is_bound; }
 };
 
-//! Everything that wants to move one body.
+//! All constraints that drive one body.
 struct Drivers
 {
     bool fixed = false;
     bool propagated = false;
-    bool turned = false;  //!< by points of its own triangles
+    bool turned = false;  //!< points of its own triangles determine its rotation
     std::set<int> handles;
 };
 
-//! Features joined to bodies where they share vertices or a group, handles with a free rotation,
-//! and stitches that are carried along; what moves them is still open.
+//! Merges features that share vertices or a group, handles with a free rotation, and carried
+//! stitches into bodies. decide_motion() determines their motions afterwards.
 std::vector<Body> merge_bodies(const mesh::TriangleMesh& mesh,
                                const SurfaceConstraints& constraints);
 
-//! Decides what moves a body: what drives it, and what its features ask for.
-//! \throws InvalidInput naming features and what would tear them apart
+//! Determines the motion of a body from its drivers and the requests of its features.
+//! \throws InvalidInput naming features and contradicting drivers
 void decide_motion(Body& body, const Drivers& drivers, const SurfaceConstraints& constraints);
 
-//! Settles who follows in every link. Bodies that are driven lead, as do those that keep a motion.
-//! \throws InvalidInput naming links and features: nothing left to give, or a link that closes a
-//! loop
+//! Chooses leader and follower of every link. Driven bodies and bodies with a restricted motion
+//! lead.
+//! \throws InvalidInput naming links and features, if neither side can follow or a link closes a
+//!                      loop
 void decide_links(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints,
                   std::vector<Body>& bodies);
 
-//! Body indices in an order in which leaders come before their followers.
+//! Body indices, leaders before their followers.
 std::vector<int> leaders_first(const std::vector<Body>& bodies);
 
-//! Mean of a feature's vertices at rest.
+//! Mean of a feature's vertices at rest, mm.
 Vector3 centre_of(const mesh::TriangleMesh& mesh, const VertexIds& vertices);
 
-//! "feature 'hole1', feature 'hole2' (one body, since they share vertices)".
+//! For messages: "feature 'hole1', feature 'hole2' (one body, since they share vertices)".
 Text names_of(const Body& body, const SurfaceConstraints& constraints);
 
 }  // namespace sheetmorph::surface

@@ -14,7 +14,7 @@ namespace
 
 constexpr int elsewhere = -1;  // the leader is in another part
 
-// How little a body can give: driven ones lead, those that contacts carry give way to them alone.
+// Priority of leading: driven bodies lead. Bodies carried by contacts follow only driven bodies.
 int rank(const Body& body)
 {
     if (body.motion == Body::Motion::propagated)
@@ -51,7 +51,7 @@ Text named(const SurfaceConstraints& constraints, const FeatureLink& link)
            + constraints.features[at(link.follower)].name + "'";
 }
 
-//! Links on their way to who follows whom.
+//! Determines leader and follower, link by link.
 class Linking
 {
 public:
@@ -94,7 +94,8 @@ private:
         return centre_of(mesh_, constraints_.features[at(feature)].vertices);
     }
 
-    // A link within one tree must say what the tree says already.
+    // A link that closes a loop is redundant if all links of its tree are coaxial. Any other is
+    // refused.
     bool is_said_already(const Following& following, int follower)
     {
         const int root = trees_.root(follower);
@@ -124,7 +125,8 @@ private:
         std::swap(following.leader, follower);
     }
 
-    // A leader that is open moves with what it leads: the reduced problem holds both.
+    // A leader with an unknown translation moves with its followers, so the reduced problem
+    // contains both.
     void bind_tree(int body)
     {
         while (body != elsewhere)

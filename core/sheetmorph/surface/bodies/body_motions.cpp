@@ -16,7 +16,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// The same motion, told about the body's centre.
+// The same motion, expressed about the body's centre.
 RigidMotion about(const Vector3& centre, const RigidMotion& motion)
 {
     RigidMotion moved = motion;
@@ -32,7 +32,7 @@ Matrix3 rotation_at(const PropagatedTarget& target, std::size_t k)
                : target.rotations[k];
 }
 
-// The motion with a given rotation that takes the carriers' centroid to that of their targets.
+// The motion with a given rotation that maps the carriers' centroid to that of their targets.
 RigidMotion carried_with_rotation(const Carriers& carriers, const Vector3& centre,
                                   const Vector3& rotation_log)
 {
@@ -44,8 +44,8 @@ RigidMotion carried_with_rotation(const Carriers& carriers, const Vector3& centr
     return motion;
 }
 
-// The best rigid motion of the carriers; what they leave open (one vertex, a straight row) turns
-// as they say they turn.
+// The best rigid motion of the carriers. Rotations that the carriers do not determine (one vertex,
+// a straight row) follow their mean rotation.
 RigidMotion carried_motion(const Carriers& carriers, const Vector3& centre)
 {
     Matrix3 sum = Matrix3::Zero();
@@ -83,7 +83,7 @@ void add_propagated(const PlacementInput& part, const SurfaceTargets& targets,
     }
 }
 
-// The rotation a pose prescribes, none for a feature that only shifts.
+// The prescribed rotation of a body as a log; zero if its feature only translates.
 Vector3 told_rotation(const PlacementInput& part, const SurfaceTargets& targets, const Body& body)
 {
     const FormFeature& feature = part.constraints.features[at(body.driver)];
@@ -104,7 +104,7 @@ Vector3 told_rotation(const PlacementInput& part, const SurfaceTargets& targets,
     return log;
 }
 
-// The motion of a body that propagated vertices carry, within what its own motion or link allows.
+// The motion of a body carried by propagated vertices, within the limits of its own motion or link.
 RigidMotion carried_body(const PlacementInput& part, const SurfaceTargets& targets,
                          const Carriers& carriers, const BodyMotions& earlier)
 {

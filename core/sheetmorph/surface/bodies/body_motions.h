@@ -10,34 +10,35 @@
 namespace sheetmorph::surface
 {
 
-//! What is known of the bodies in one pose, before the energy is minimised.
+//! Data on the bodies in one pose that are determined before the energy is minimised.
 struct BodyMotions
 {
-    std::vector<RigidMotion> motions;  //!< whole motion of known bodies, about the body's centre
-    Points logs;                       //!< (b, 3) rotations, zero where interpolated
-    Points tilts;                      //!< (b, 3) what the logs cannot tell: R = exp(tilt) exp(log)
+    std::vector<RigidMotion> motions;  //!< of prescribed bodies, about their centres
+    Points logs;                       //!< (b, 3) rotations; zero if interpolated
+    Points tilts;                      //!< (b, 3) remainder of the rotation: R = exp(tilt) exp(log)
 };
 
-//! The rotations a pose knows, all as logarithms (2.6).
+//! The prescribed rotations of a pose as logarithms (2.6).
 struct KnownRotations
 {
-    Points vertices;  //!< (n, 3) rows read at vertices whose rotation is known
+    Points vertices;  //!< (n, 3) valid at vertices with a prescribed rotation
     Points handles;   //!< (h, 3)
-    Points bodies;    //!< (b, 3) rows read at bodies whose rotation is known
+    Points bodies;    //!< (b, 3) valid at bodies with a prescribed rotation
     Points regions;   //!< (p, 3) mean logarithm of every propagated region
-    Points points;    //!< (k, 3) rows read at turned points
+    Points points;    //!< (k, 3) valid at points with a prescribed rotation
 };
 
-//! What the rotation field is given. Near whole turns the logarithm of a rotation leaps; there the
-//! logs follow smoothly and the rest is a tilt of its own: R = exp(tilt) exp(log), all (2.6).
+//! Input of the rotation field. Near full turns the logarithm of a rotation jumps. The logs here
+//! stay continuous, and a separate tilt contains the remainder: R = exp(tilt) exp(log), both as
+//! (2.6).
 struct GivenRotations
 {
     KnownRotations logs;
     KnownRotations tilts;
-    bool is_tilted = false;  //!< false: every tilt is zero
+    bool is_tilted = false;  //!< false: all tilts are zero
 };
 
-//! A part and what decides its vertices.
+//! A part with its constraints and the roles of its vertices.
 struct PlacementInput
 {
     const mesh::TriangleMesh& rest;
@@ -45,18 +46,18 @@ struct PlacementInput
     const VertexRoles& roles;
 };
 
-//! Where a body is: x -> centre + rotation (x - centre at rest).
+//! State of a body: x -> centre + rotation (x - centre at rest).
 struct BodyState
 {
     Matrix3 rotation = Matrix3::Identity();
-    Vector3 centre = Vector3::Zero();  //!< of the body, mm
+    Vector3 centre = Vector3::Zero();  //!< centre of the body, mm
 };
 
-//! The propagated vertices that lie on one body.
+//! The propagated vertices on one body.
 struct Carriers
 {
     int body = 0;
-    std::vector<std::pair<std::size_t, std::size_t>> places;  //!< (region, place in it)
+    std::vector<std::pair<std::size_t, std::size_t>> places;  //!< (region, index in it)
     Points rest;
     Points targets;
     Points logs;
@@ -65,18 +66,19 @@ struct Carriers
 
 Carriers carriers_of(const PlacementInput& part, int body, const SurfaceTargets& targets);
 
-//! The same as a motion about the body's centre; the log is the branch nearest to `reference`.
+//! Converts a state to a motion about the body's centre. The log is the branch nearest to
+//! `reference`.
 RigidMotion motion_of(const Body& body, const BodyState& state, const Vector3& reference);
 
-//! Motions of bodies that fixed regions, handles or propagated vertices carry, and the rotations
-//! of prescribed ones.
+//! Motions of bodies that fixed regions, handles or propagated vertices carry, and the rotations of
+//! prescribed ones.
 BodyMotions known_body_motions(const PlacementInput& part, const SurfaceTargets& targets);
 
-//! Every rotation the pose gives, for the rotation field.
+//! All rotations that the pose gives to the rotation field.
 GivenRotations given_rotations(const PlacementInput& part, const SurfaceTargets& targets,
                                const BodyMotions& bodies);
 
-//! Gives bodies whose translation is open the rotation the field has on them.
+//! Assigns the rotation of the field to bodies with an undetermined motion.
 //! \param logs, tilts  (n, 3)
 void turn_open_bodies(const PlacementInput& part, const Points& logs, const Points& tilts,
                       BodyMotions& bodies);

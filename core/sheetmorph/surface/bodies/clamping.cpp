@@ -13,10 +13,10 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Carriers as near as this to the nearest one count like it: symmetric meshes have such pairs.
+// Relative tolerance of equal distances to carriers; symmetric meshes have such pairs.
 constexpr double as_near = 1.0 + 1e-6;
 
-// The carriers of each region that are nearest to the vertex, all with the same say.
+// The nearest carriers of each region, with equal weights per region.
 Clamp clamp_of(const mesh::TriangleMesh& mesh, const VertexRoles& roles, int vertex,
                const VertexIds& candidates)
 {

@@ -8,22 +8,23 @@
 namespace sheetmorph::surface
 {
 
-//! (n) vertices of fixed, handle and propagated regions, also where a feature that they carry has
-//! taken them over.
+//! (n) marks the vertices of fixed, handle and propagated regions, also where a carried feature
+//! owns them.
 std::vector<char> holding_vertices(const SurfaceConstraints& constraints, const VertexRoles& roles);
 
-//! Gives the free neighbours of fixed, handle and propagated vertices the role `clamped`: they move
-//! rigidly with the nearest of them, and where several regions meet as the mean of what each asks
-//! for, so that no order of regions counts. Vertices of features keep their feature, tied ones
-//! their sheet; points of triangles never clamp.
+//! Assigns the role `clamped` to the free neighbours of fixed, handle and propagated vertices. A
+//! clamped vertex moves rigidly with the nearest of these. Where several regions meet, it takes the
+//! mean of their motions, so that the result does not depend on their order. Vertices of features
+//! and tied vertices keep their roles. Point constraints never clamp.
 //! \param neighbours  (n, n): an entry wherever two vertices share an edge of the sheet
 void clamp_neighbours(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints,
                       const numerics::SparseMatrix& neighbours, VertexRoles& roles);
 
-//! Fills the rows of clamped vertices: the rotations of their carriers.
+//! Fills in the rotations of clamped vertices from those of their carriers.
 void turn_clamped(const VertexRoles& roles, KnownRotations& rotations);
 
-//! Fills the rows of clamped vertices in the displacements (n, 3), whose carriers are known.
+//! Fills in the displacements of clamped vertices (n, 3) from those of their carriers, which must
+//! be set.
 void place_clamped(const PlacementInput& part, const GivenRotations& given,
                    Eigen::MatrixXd& displacements);
 

@@ -41,7 +41,7 @@ JointLevel shift(std::vector<Vector3> axes)
     return {false, Vector3::Zero(), std::move(axes), 0};
 }
 
-// How a body with a FeatureMotion may move from where it is.
+// Possible motions of a body with a FeatureMotion, from its current state.
 std::vector<JointLevel> restricted_levels(const PlacementInput& part, const Body& body,
                                           const BodyState& state)
 {
@@ -63,7 +63,7 @@ std::vector<JointLevel> restricted_levels(const PlacementInput& part, const Body
     return levels;
 }
 
-// How a body that follows a link may move from where it is, its leader at rest.
+// Possible motions of a body that follows a link, from its current state, relative to its leader.
 std::vector<JointLevel> following_levels(const PlacementInput& part, const Body& body,
                                          const BodyState& leader, const BodyState& state)
 {
@@ -83,7 +83,7 @@ std::vector<JointLevel> following_levels(const PlacementInput& part, const Body&
     return levels;
 }
 
-// Moves a state by a level's numbers.
+// Applies the unknowns of a level to a state.
 void move(BodyState& state, const JointLevel& level, const Eigen::VectorXd& q)
 {
     Vector3 amount = Vector3::Zero();
@@ -126,7 +126,7 @@ BodyState Joints::state_of_body(int body) const
                           : state_of_motion(part_.roles.bodies[at(body)], known_.motions[at(body)]);
 }
 
-// The leading body's rotation, with where the centre of its feature is.
+// The leading body's rotation and the deformed centre of its feature.
 BodyState Joints::leader_of(const Body& body) const
 {
     const Following& following = *body.following;

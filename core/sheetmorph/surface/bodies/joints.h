@@ -7,40 +7,40 @@
 namespace sheetmorph::surface
 {
 
-//! One factor of how a body may move: turns about a point, or shifts, by the numbers `first`,
-//! `first` + 1, ... of the reduced problem. Whoever follows moves along.
+//! One factor of a body's possible motion: rotations about a point or translations, controlled by
+//! the unknowns `first`, `first` + 1, ... of the reduced problem. Followers move along.
 struct JointLevel
 {
     bool is_turn = true;
-    Vector3 point = Vector3::Zero();  //!< mm, of turns
+    Vector3 point = Vector3::Zero();  //!< of rotations, mm
     std::vector<Vector3> axes;        //!< unit length
     int first = 0;
 };
 
-//! Bodies in the reduced problem of one pose: always where their motions and links allow.
+//! Bodies in the reduced problem of one pose. Their states always satisfy their motions and links.
 class Joints
 {
 public:
-    //! \param bodies  known motions; rotations of the others start as the field has them
+    //! \param bodies  prescribed motions; the other bodies start with the rotation of the field
     Joints(const PlacementInput& part, const SurfaceTargets& targets,
            const std::vector<Turner>& turners, const BodyMotions& bodies);
 
     int freedoms() const { return freedoms_; }
     const std::vector<BodyState>& states() const { return states_; }
 
-    //! Every level that moves turner k, outermost first.
+    //! Every level that moves rotating body k, outermost first.
     const std::vector<JointLevel>& levels(std::size_t k) const { return levels_[k]; }
 
-    //! Moves everything by small numbers q (freedoms).
+    //! Moves all bodies by small unknowns q (freedoms).
     void step(const Eigen::VectorXd& q);
 
-    //! Back to states() of before.
+    //! Restores earlier states().
     void restore(const std::vector<BodyState>& states);
 
-    //! Puts every body exactly where its known motion has it, those that follow others too.
+    //! Sets every body, also followers, exactly to its given motion.
     void start_as_known();
 
-    //! Where a body of the part is: by its turner, or as it was known.
+    //! The state of a body of the part: from its rotating body, or its prescribed motion.
     BodyState state_of_body(int body) const;
 
 private:

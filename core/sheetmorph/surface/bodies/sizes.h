@@ -8,18 +8,20 @@
 namespace sheetmorph::surface
 {
 
-//! Of every form feature, what it is if its size may be set.
+//! By form feature: its shape if its size may be set.
 using FeatureShapes = std::vector<std::optional<forms::FeatureShape>>;
 
-//! Sizes that one pose sets, by form feature: mm more than at rest; nothing: as at rest.
+//! Change of size in one pose by form feature, mm; nothing: as at rest.
 using SizeChanges = std::vector<std::optional<double>>;
 
-//! \throws InvalidInput naming features whose size cannot be set: neither hole, slot nor cylinder,
-//! or sharing vertices with another one
+//! Recognises the features whose size may be set.
+//! \throws InvalidInput naming features that are not a hole, slot or cylinder, or that share
+//!                      vertices with another one
 FeatureShapes resizable_shapes(const mesh::TriangleMesh& mesh,
                                const SurfaceConstraints& constraints);
 
-//! \throws InvalidInput naming features whose size is not positive or may not be set
+//! Checks and collects the sizes of a pose.
+//! \throws InvalidInput naming features with a size that is too small or may not be set
 SizeChanges size_changes(const SurfaceConstraints& constraints, const FeatureShapes& shapes,
                          const SurfaceTargets& targets);
 

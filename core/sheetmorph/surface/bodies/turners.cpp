@@ -9,7 +9,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// A point turns the corners of its triangle that nothing else decides.
+// A point rotates the corners of its triangle that no other constraint determines.
 Turner turner_of_point(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints,
                        const VertexRoles& roles, int point)
 {

@@ -7,27 +7,27 @@
 namespace sheetmorph::surface
 {
 
-//! Something whose rotation or place the energy decides together with the sheet: a body that turns
-//! freely or keeps a motion or a link, or a point whose rotation is free.
+//! A rotating body: its rotation or position is an unknown of the energy together with the sheet.
+//! It is a body with a free rotation, a motion or a link, or a point with a free rotation.
 struct Turner
 {
     int body = -1;
     int point = -1;
-    bool turns = true;      //!< its rotation is the energy's, else the pose or the field knows it
-    bool is_bound = false;  //!< its translation is not the sheet's own either
-    VertexIds vertices;     //!< where the sheet turns wholly with it
-    bool shifts = false;    //!< its translation is sought besides, where no sheet is solved for
+    bool turns = true;      //!< the energy determines its rotation; else the pose or the field
+    bool is_bound = false;  //!< a motion or link restricts its translation
+    VertexIds vertices;     //!< vertices at which the sheet rotates fully with it
+    bool shifts = false;    //!< its translation is unknown too, if no sheet is solved for
 
-    //! Its rotation is one of the reduced problem: what a motion or a link leaves of a rotation,
-    //! the field's too, only that knows.
+    //! Whether its rotation is part of the reduced problem. A motion or link leaves part of the
+    //! rotation unknown, even if the field determines it.
     bool is_turned() const { return turns || is_bound; }
 };
 
-//! Bodies first, leaders of links before their followers; then points.
+//! Lists bodies first, leaders before their followers, then points.
 std::vector<Turner> turners_of(const mesh::TriangleMesh& mesh,
                                const SurfaceConstraints& constraints, const VertexRoles& roles);
 
-//! Bodies with every turner where it was at rest.
+//! Sets the rotation of every rotating body to zero.
 BodyMotions unmoved_turners(const std::vector<Turner>& turners, BodyMotions bodies);
 
 }  // namespace sheetmorph::surface

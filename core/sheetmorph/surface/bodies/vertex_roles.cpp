@@ -62,7 +62,8 @@ void mark_handle(VertexRoles& roles, const SurfaceConstraints& constraints, int 
                            "take them out of the fixed region");
 }
 
-// Points of a body's own triangles that turn it: one that is turned, or several that pin it.
+// Whether points of a body's own triangles determine its rotation: one with a rotation, or several
+// that pin it.
 bool is_turned_by_points(const Body& body, const mesh::TriangleMesh& mesh,
                          const SurfaceConstraints& constraints)
 {
@@ -106,7 +107,7 @@ void mark_bodies(VertexRoles& roles, const mesh::TriangleMesh& mesh,
         for (const int vertex : body.vertices)
             if (roles.role[at(vertex)] != Role::fixed && roles.role[at(vertex)] != Role::handle)
                 set_role(roles, vertex, Role::body, static_cast<int>(k));
-        // A size moves what fixed regions and handles would hold.
+        // A size moves vertices that fixed regions and handles would otherwise prescribe.
         for (const int feature : body.features)
             if (constraints.features[at(feature)].is_resizable)
                 for (const int vertex : constraints.features[at(feature)].vertices)
@@ -115,7 +116,7 @@ void mark_bodies(VertexRoles& roles, const mesh::TriangleMesh& mesh,
     decide_links(mesh, constraints, roles.bodies);
 }
 
-// \returns what stands together
+// \returns groups of vertices connected by ties
 std::vector<VertexIds> mark_ties(VertexRoles& roles, const SurfaceConstraints& constraints)
 {
     std::vector<VertexIds> found;
@@ -146,7 +147,7 @@ void require_bodies_on_the_sheet(const VertexRoles& roles, const SurfaceConstrai
     }
 }
 
-// A handle whose rotation is free holds its part by its pivot.
+// Whether a body supports its component. A handle with a free rotation supports it by its pivot.
 bool is_held(const Body& body)
 {
     return body.is_known() || body.handle >= 0;
@@ -166,7 +167,8 @@ std::vector<char> held_components(const VertexRoles& roles)
     return held;
 }
 
-// Marks components that points alone hold. \returns those that nothing holds
+// Marks components that only points support.
+// \returns unsupported components
 std::vector<int> find_held_components(VertexRoles& roles, const mesh::TriangleMesh& mesh,
                                       const SurfaceConstraints& constraints)
 {
@@ -185,7 +187,8 @@ std::vector<int> find_held_components(VertexRoles& roles, const mesh::TriangleMe
     return unheld;
 }
 
-// (n) whether any triangle has a vertex. The sheet does not carry the others: they stay at rest.
+// (n) whether a vertex belongs to a triangle. The sheet does not move other vertices; they stay at
+// rest.
 std::vector<char> corners_of(const mesh::TriangleMesh& mesh)
 {
     std::vector<char> is_corner(at(mesh.vertex_count()), 0);

@@ -14,44 +14,47 @@ enum class Role : char
     handle,
     propagated,
     body,
-    tied,     //!< stands on another sheet
-    clamped,  //!< `natural`: beside known vertices, moves rigidly with them
-    follower  //!< of triangles without area: keeps its place relative to the nearest other one
+    tied,     //!< attached to another sheet
+    clamped,  //!< for `natural`: next to prescribed vertices, moves rigidly with them
+    follower  //!< only of degenerate triangles: moves with the nearest other vertex
 };
 
-//! A vertex that moves rigidly with known vertices beside it: with their mean where there are more.
+//! A vertex that moves rigidly with adjacent prescribed vertices, or with their mean.
 struct Clamp
 {
     struct Carrier
     {
         int vertex;
-        double weight;  //!< > 0, with the sum 1
+        double weight;  //!< > 0; the weights add up to 1
     };
 
     int vertex;
     std::vector<Carrier> carriers;
 };
 
-//! Which constraint decides each vertex, by the precedence fixed, handle, feature, propagated.
+//! The constraint that determines each vertex, with the precedence fixed, handle, feature,
+//! propagated.
 struct VertexRoles
 {
     std::vector<Role> role;
-    std::vector<int> owner;  //!< handle, propagated region, body or clamp; -1 for the others
+    std::vector<int> owner;  //!< handle, propagated region, body or clamp; else -1
     std::vector<Tie> ties;   //!< of tied vertices
     std::vector<Body> bodies;
     std::vector<Clamp> clamps;  //!< see clamp_neighbours()
     mesh::Components components;
 
-    //! Components that no known vertex holds, only points.
+    //! Components that only point constraints support, without prescribed vertices.
     std::vector<int> held_by_points;
 };
 
-//! \throws InvalidInput naming regions and vertices: ids out of range, empty regions, handles that
-//! overlap, a feature between regions that can move differently, a component that nothing holds
+//! Assigns the roles of all vertices.
+//! \throws InvalidInput naming regions and vertices: ids out of range, empty regions, overlapping
+//!                      handles, a feature between regions that can move differently, an
+//!                      unsupported component
 VertexRoles assign_roles(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints);
 
-//! The components that assign_roles() would refuse since nothing holds them; ascending vertices.
-//! \throws InvalidInput for anything else that it refuses
+//! The unsupported components that assign_roles() would refuse; vertices ascending.
+//! \throws InvalidInput for all other reasons of assign_roles()
 std::vector<VertexIds> unheld_components(const mesh::TriangleMesh& mesh,
                                          const SurfaceConstraints& constraints);
 

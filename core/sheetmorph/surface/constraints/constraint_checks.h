@@ -8,12 +8,12 @@
 namespace sheetmorph::surface
 {
 
-//! Checks every region, feature and point by itself.
-//! \throws InvalidInput: ids out of range, empty regions, barycentric coordinates that are not
+//! Checks every region, feature and point individually.
+//! \throws InvalidInput for ids out of range, empty regions, invalid barycentric coordinates
 void check_constraints(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints);
 
-//! Checks that a pose has the shape the constraints ask for and only finite numbers.
-//! \throws InvalidInput naming what is missing or not finite
+//! Checks that a pose matches the constraints in shape and contains only finite numbers.
+//! \throws InvalidInput naming missing or non-finite items
 void check_targets(const SurfaceConstraints& constraints, const SurfaceTargets& targets);
 
 }  // namespace sheetmorph::surface

@@ -8,38 +8,38 @@
 namespace sheetmorph::surface
 {
 
-//! What decides how a form feature turns (mathematics.md, section 4).
+//! How the rotation of a form feature is determined (mathematics.md, section 4).
 enum class FeatureRotation
 {
-    free,          //!< the energy: a rigid body in an elastic sheet
-    interpolated,  //!< the rotation field alone, as in the paper
-    prescribed     //!< the pose
+    free,          //!< by the energy: a rigid body in an elastic sheet
+    interpolated,  //!< by the rotation field alone, as in the paper
+    prescribed     //!< by the pose
 };
 
-//! What a form feature may do. All but `axis` bind the displacement of the feature's centre (the
-//! mean of its vertices).
+//! The allowed motion of a form feature. All types but `axis` restrict the displacement of the
+//! feature's centre (the mean of its vertices).
 struct FeatureMotion
 {
     enum class Type
     {
         free,
-        fixed,        //!< stays where it is
-        translation,  //!< shifts, never turns
-        plane,        //!< shifts at right angles to `direction`; a free rotation is about it only
-        line,         //!< shifts along `direction`
-        axis          //!< turns about the axis through `point` along `direction`, nothing else
+        fixed,        //!< does not move
+        translation,  //!< translates but does not rotate
+        plane,  //!< translates at right angles to `direction`; a free rotation is about it only
+        line,   //!< translates along `direction`
+        axis    //!< only rotates about the axis through `point` along `direction`
     };
 
     Type type = Type::free;
-    Vector3 point = Vector3::Zero();       //!< mm, read for `axis`
+    Vector3 point = Vector3::Zero();       //!< mm, only for `axis`
     Vector3 direction = Vector3::UnitZ();  //!< unit length
 };
 
-//! What two form features keep between them.
+//! The relation between two form features.
 enum class FeatureLinkType
 {
-    coaxial,  //!< their common axis: the follower turns about it and slides along it
-    distance  //!< the distance of their centres
+    coaxial,  //!< common axis: the follower rotates about it and slides along it
+    distance  //!< constant distance of their centres
 };
 
 }  // namespace sheetmorph::surface

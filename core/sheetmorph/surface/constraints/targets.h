@@ -9,21 +9,20 @@
 namespace sheetmorph::surface
 {
 
-//! Where a pose puts one point, and how it turns it if the point is turned.
+//! Target position of one point, and its rotation if that is prescribed.
 struct PointTarget
 {
     Vector3 position = Vector3::Zero();      //!< mm
     Vector3 rotation_log = Vector3::Zero();  //!< radians (2.6)
 };
 
-//! Where other parts put the vertices of one propagated region.
+//! Targets of the vertices of one propagated region, from other parts.
 struct PropagatedTarget
 {
     Points positions;      //!< (k, 3) mm
     Points rotation_logs;  //!< (k, 3) radians (2.6)
 
-    //! k rotations where they are more than their logs can tell (log_near()); empty: those of the
-    //! logs.
+    //! k rotations, if they contain more than their logs (log_near()); empty: those of the logs.
     std::vector<Matrix3> rotations;
 };
 
@@ -31,10 +30,9 @@ struct PropagatedTarget
 struct SurfaceTargets
 {
     std::vector<RigidMotion> handles = {};
-    std::vector<Vector3> feature_logs = {};  //!< read for prescribed features only
-    std::vector<std::optional<double>> sizes =
-        {};                                 //!< mm, of every form feature; empty: none is set
-    std::vector<RigidMotion> leaders = {};  //!< of every link, read where the leader is -1
+    std::vector<Vector3> feature_logs = {};         //!< only for prescribed features
+    std::vector<std::optional<double>> sizes = {};  //!< by form feature, mm; empty: no size is set
+    std::vector<RigidMotion> leaders = {};          //!< by link, only where the leader is -1
     std::vector<PointTarget> points = {};
     std::vector<PropagatedTarget> propagated = {};
 };

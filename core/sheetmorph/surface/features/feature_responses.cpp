@@ -18,15 +18,15 @@ namespace
 {
 
 constexpr int none = -1;
-constexpr Eigen::Index block = 24;  // columns solved together
+constexpr Eigen::Index block = 24;  // columns per substitution
 constexpr Eigen::Index blocks_at_once = 4;
-constexpr double most_bytes = 512.0 * 1048576;  // of responses worth keeping
-constexpr Eigen::Index few_slopes = 8;          // some ten microseconds
-constexpr double few_numbers = 1e6;   // of responses that are worked out at once: milliseconds
-constexpr double miss_a_size = 5e-9;  // of the responses of live frames
-constexpr double unfelt = 1e-10;      // of the stiffness if nothing yielded: rounding leaves this
-constexpr double no_shift = 1e-12;    // of the size
-constexpr double least_pivot = 1e-5;  // of the stiffest: the energy feels every turn
+constexpr double most_bytes = 512.0 * 1048576;  // limit on the memory of responses: 512 MiB
+constexpr Eigen::Index few_slopes = 8;          // fewest worth a thread: some ten microseconds
+constexpr double few_numbers = 1e6;   // of responses computed in the constructor: milliseconds
+constexpr double miss_a_size = 5e-9;  // error of live responses, relative to the size
+constexpr double unfelt = 1e-10;    // relative to the stiffness of a rigid sheet; less is rounding
+constexpr double no_shift = 1e-12;  // relative to the size
+constexpr double least_pivot = 1e-5;  // relative to the stiffest: all rotations affect the energy
 
 }  // namespace
 
@@ -88,7 +88,7 @@ numerics::SparseMatrix FeatureResponses::direct_moves() const
     return moves;
 }
 
-// How the columns turn the rest rows around the turners.
+// Rotations of the rest rows around the rotating bodies, by column.
 numerics::SparseMatrix FeatureResponses::turned_rows() const
 {
     std::vector<Eigen::Triplet<double>> entries;
@@ -102,7 +102,7 @@ numerics::SparseMatrix FeatureResponses::turned_rows() const
     return turned;
 }
 
-// What columns first, first + 1, ... ask of the sheet.
+// The targets of the sheet for columns first, first + 1, ...
 numerics::ConstrainedMinimiser::Targets FeatureResponses::asked_of(Eigen::Index first,
                                                                    Eigen::Index count) const
 {
@@ -114,7 +114,8 @@ numerics::ConstrainedMinimiser::Targets FeatureResponses::asked_of(Eigen::Index 
     return asked;
 }
 
-// What the sheet yields to wholly the energy does not feel: rounding must not decide it.
+// Sets the stiffness of entries to zero to which the sheet yields fully; rounding must not
+// determine them.
 void FeatureResponses::find_stiffness()
 {
     stiffness_ = minimiser_.energies(turned_rows_, offsets_);
@@ -148,7 +149,7 @@ const numerics::ResponseFields* FeatureResponses::fields(const Progress& progres
     return is_responded_ ? &responses_ : nullptr;
 }
 
-// The next columns, some blocks at the same time.
+// Computes the next columns, several blocks in parallel.
 void FeatureResponses::respond(Eigen::Index first) const
 {
     const Eigen::Index left = (count_ - first + block - 1) / block;
@@ -164,7 +165,7 @@ void FeatureResponses::respond(Eigen::Index first) const
                           Eigen::VectorXd::Constant(columns.cols(), miss_a_size * mesh_.size()));
 }
 
-// Of two turners 2 (tr G_kl - G_kl^T) (TurnExpansion).
+// Two rotating bodies contribute 2 (tr G_kl - G_kl^T), see TurnExpansion.
 void FeatureResponses::factor_at_rest()
 {
     numerics::Weights matrix(count_, count_);
@@ -190,8 +191,8 @@ void FeatureResponses::factor_at_rest()
     }
 }
 
-// Psi^T W residual without Psi: phi^T B^T W residual is offset^T forces, since forces vanish on
-// all that the sheet can move and phi moves no constrained point.
+// Psi^T W residual without Psi: phi^T B^T W residual is offset^T forces. The forces vanish on all
+// free unknowns, and phi moves no constrained point.
 Eigen::MatrixXd FeatureResponses::slopes(const numerics::ConstrainedMinimiser::Balance& left) const
 {
     const numerics::Weights weighted =

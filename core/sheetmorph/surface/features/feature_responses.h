@@ -15,7 +15,8 @@
 namespace sheetmorph::surface
 {
 
-//! The energy of one pose in the entries of the turners' motions, everything else minimised:
+//! The energy of one pose as a function of the entries of the rotating bodies' motions, minimised
+//! over the sheet:
 //! sum_x rho_x^T G rho_x + 2 g_x^T rho_x + constant, with rho_x (c) for coordinate x.
 struct ReducedEnergy
 {
@@ -23,17 +24,19 @@ struct ReducedEnergy
     Eigen::MatrixXd slope;        //!< g (c, 3)
 };
 
-//! Where a turner's entries are among the c: rotation minus identity at `turn` + 0, 1, 2 (entry
-//! [x, b] in row turn + b, column x), displacement of its centre at `shift`; -1: it has none.
+//! Positions of a rotating body's entries among the c. Rotation minus identity is at `turn` + 0, 1,
+//! 2 (entry [x, b] in row turn + b, column x); the displacement of its centre is at `shift`. -1:
+//! none.
 struct TurnerColumns
 {
     int turn = -1;
     int shift = -1;
 };
 
-//! How the sheet answers each entry of the turners' motions (mathematics.md, section 4): computed
-//! once, true for every pose. What the energy asks of them is there at once; where the sheet goes,
-//! which live frames alone read, is worked out when it is first asked for, unless it takes little.
+//! Responses of the sheet to each entry of the rotating bodies' motions (mathematics.md, section
+//! 4). They are computed once and valid for every pose. The reduced energy is available
+//! immediately. The displacement fields serve only live frames; they are computed on first use, or
+//! immediately if they are small.
 class FeatureResponses
 {
 public:
@@ -43,29 +46,30 @@ public:
     const std::vector<Turner>& turners() const { return turners_; }
     const std::vector<TurnerColumns>& columns() const { return columns_; }
 
-    //! (n, turners) turner_weights().
+    //! (n, rotating bodies), see turner_weights().
     const SmoothWeights& weights() const { return weights_; }
 
-    //! \param base  the minimum of the pose with every turner unmoved, and what it was asked for
+    //! \param asked  the targets for which `base` was computed
+    //! \param base   the minimum of the pose with all rotating bodies unmoved
     ReducedEnergy energy(const numerics::ConstrainedMinimiser::Targets& asked,
                          const numerics::ConstrainedMinimiser::Solution& base) const;
 
-    //! The two parts of it: the stiffness is that of every pose, a slope (c, k) is linear in base.
+    //! The two parts of energy(): the stiffness is the same for every pose; the slopes (c, k) are
+    //! linear in `base`.
     const numerics::Weights& stiffness() const { return stiffness_; }
     Eigen::MatrixXd slopes(const numerics::ConstrainedMinimiser::Targets& asked,
                            const numerics::ConstrainedMinimiser::Solution& base) const;
 
-    //! Of the second derivative of the energy at rest, (c, c), where every turner turns and does
-    //! nothing else; else, or where it is as good as singular, nothing.
+    //! Factor of the energy's second derivative at rest, (c, c). nullptr unless all rotating bodies
+    //! only rotate, or if it is nearly singular.
     const numerics::DenseCholesky* at_rest() const { return at_rest_ ? &*at_rest_ : nullptr; }
 
-    //! (n, c) to live accuracy; nothing where the responses would take more memory than they are
-    //! worth: solve again instead. Works them out at the first call; a second thread waits.
-    //! \throws Cancelled if the progress callback asks for it; what is done is kept for the next
-    //! call
+    //! The displacement fields (n, c) with live accuracy; nullptr if they would take too much
+    //! memory, then solve instead. Computed at the first call; a second thread waits.
+    //! \throws Cancelled on request of the progress callback; completed columns are kept
     const numerics::ResponseFields* fields(const Progress& progress = Progress()) const;
 
-    //! (n, 3) change of the sheet for entries rho (c, 3), where fields() were asked for.
+    //! (n, 3) change of the sheet for entries rho (c, 3); nothing before fields() was called.
     std::optional<Eigen::MatrixXd> displacements(const Eigen::MatrixXd& rho) const;
 
 private:
@@ -85,15 +89,15 @@ private:
     const numerics::ConstrainedMinimiser& minimiser_;
     std::vector<Turner> turners_;
     std::vector<TurnerColumns> columns_;
-    int count_ = 0;  // c
+    int count_ = 0;  // number of entries, c
     SmoothWeights weights_;
-    numerics::SparseMatrix offsets_;      // (n, c) what the columns move directly
+    numerics::SparseMatrix offsets_;      // (n, c) direct displacements of the columns
     numerics::SparseMatrix turned_rows_;  // (r, c)
     numerics::Weights stiffness_;         // (c, c)
-    std::vector<int> unfelt_;             // columns that the energy does not feel
+    std::vector<int> unfelt_;             // columns without effect on the energy
     std::optional<numerics::DenseCholesky> at_rest_;
     mutable std::mutex responding_;
-    mutable numerics::ResponseFields responses_;  // (n, c) Phi, as far as it is worked out
+    mutable numerics::ResponseFields responses_;  // (n, c) Phi; the columns computed so far
     mutable std::atomic<bool> is_responded_{false};
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/features/reduced_expansion.h"
 
-#include "sheetmorph/base/rates.h"
+#include "sheetmorph/base/rotation.h"
 
 #include <Eigen/Geometry>
 #include <array>
@@ -14,7 +14,7 @@ namespace
 
 constexpr int none = -1;
 
-//! One freedom of the joints as it moves one turner.
+//! One freedom of the joints and its effect on one rotating body.
 struct Mover
 {
     int freedom;
@@ -24,7 +24,7 @@ struct Mover
     Vector3 point;
 };
 
-//! First or second derivative of a turner's motion.
+//! First or second derivative of a rotating body's motion.
 struct Change
 {
     Matrix3 rotation = Matrix3::Zero();
@@ -49,7 +49,8 @@ Change first_change(const Mover& mover, const BodyState& state)
             mover.axis.cross(state.centre - mover.point)};
 }
 
-// A turn acts on what the factors inside it change; of one factor, on the mean of both orders.
+// A rotation acts on the derivative of the factors inside it. Within one factor, the second
+// derivative is the mean of both orders.
 Change second_change(const Mover& outer, const Mover& inner, const BodyState& state)
 {
     Change change;
@@ -67,7 +68,8 @@ Change second_change(const Mover& outer, const Mover& inner, const BodyState& st
     return change;
 }
 
-// Rows of F that a change of turner k meets: sum of F[turn + b, x] dR[x, b] + F[shift, x] dt[x].
+// Product of forces F with a change of rotating body k: sum of F[turn + b, x] dR[x, b] + F[shift,
+// x] dt[x].
 double dot(const TurnerColumns& columns, const Points& forces, const Change& change)
 {
     double sum = 0.0;
@@ -132,19 +134,19 @@ void add_curvature(Eigen::MatrixXd& hessian, const Joints& joints,
     }
 }
 
-// 2 a for an antisymmetric part that is [a] / 2.
+// 2 a, if the antisymmetric part of n is [a] / 2.
 Vector3 axial(const Matrix3& n)
 {
     return 2.0 * Vector3(n(1, 2) - n(2, 1), n(2, 0) - n(0, 2), n(0, 1) - n(1, 0));
 }
 
-// What the forces on one turner add to its own block.
+// Contribution of the forces on one rotating body to its own block.
 Matrix3 curvature(const Matrix3& n)
 {
     return n + n.transpose() - 2.0 * n.trace() * Matrix3::Identity();
 }
 
-// The same for turners that only turn, block by block (TurnExpansion).
+// expand() for bodies that only rotate, block by block (TurnExpansion).
 void expand_turns(const Joints& joints, const Measure& measure, const Forces& forces, Expansion& at)
 {
     for (std::size_t k = 0; k < joints.states().size(); ++k)
@@ -259,20 +261,6 @@ Eigen::VectorXd TurnExpansion::nearly_solved(const Eigen::VectorXd& q) const
         solved.segment<3>(row) = (rotations_[k] * solved.segment<3>(row)).eval();
     }
     return solved;
-}
-
-std::vector<StateRate> state_rates(const Joints& joints, const Eigen::VectorXd& steps)
-{
-    std::vector<StateRate> found(joints.states().size());
-    for (std::size_t k = 0; k < found.size(); ++k)
-        for (const Mover& mover : movers_of(joints.levels(k)))
-        {
-            const double step = steps(mover.freedom);
-            if (mover.is_turn)
-                found[k].spin += step * mover.axis;
-            found[k].centre += step * first_change(mover, joints.states()[k]).centre;
-        }
-    return found;
 }
 
 Eigen::VectorXd gradient_of(const Joints& joints, const FeatureResponses& responses,

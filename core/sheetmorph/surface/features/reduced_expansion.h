@@ -6,7 +6,7 @@
 namespace sheetmorph::surface
 {
 
-//! The reduced energy where the joints are.
+//! The reduced energy at the current state of the joints.
 struct Forces
 {
     Points entries;  //!< rho (c, 3)
@@ -16,7 +16,7 @@ struct Forces
 
 Forces forces_at(const Joints& joints, const Measure& measure);
 
-//! The same about one configuration of the joints.
+//! Gradient and Hessian of the reduced energy at one configuration of the joints.
 struct Expansion
 {
     Eigen::VectorXd gradient;  //!< (freedoms)
@@ -25,13 +25,14 @@ struct Expansion
 
 Expansion expand(const Joints& joints, const Measure& measure, const Forces& forces);
 
-//! The same where every turner turns about three axes and does nothing else: products with the
-//! second derivative instead of it. With dR = [e] R of every turner, and M = R_k G_kl R_l^T of two,
-//! it is 2 (tr M - M^T), and N + N^T - 2 tr N of one turner, N = R F for the forces F on it.
+//! The same if every rotating body only rotates about three axes. It computes products with the
+//! second derivative instead of the matrix. With dR = [e] R for every rotating body, two of them
+//! contribute 2 (tr M - M^T), M = R_k G_kl R_l^T. One contributes N + N^T - 2 tr N, N = R F with
+//! the forces F on it.
 class TurnExpansion
 {
 public:
-    //! Whether turners do nothing else, so that the others of these may be called.
+    //! Whether all rotating bodies only rotate. Required by all other members.
     static bool is_possible(const Joints& joints, const FeatureResponses& responses);
 
     TurnExpansion(const Joints& joints, const Measure& measure, const Forces& forces);
@@ -40,7 +41,7 @@ public:
 
     Eigen::VectorXd times(const Eigen::VectorXd& q) const;
 
-    //! Solves it as it is at rest, every turner turned with what is around it: near the inverse.
+    //! Approximate solution with the factor at rest, rotated with the bodies; a preconditioner.
     Eigen::VectorXd nearly_solved(const Eigen::VectorXd& q) const;
 
 private:
@@ -50,17 +51,7 @@ private:
     const numerics::DenseCholesky& at_rest_;
 };
 
-//! How one turner changes where the joints do.
-struct StateRate
-{
-    Vector3 spin = Vector3::Zero();    //!< of its rotation
-    Vector3 centre = Vector3::Zero();  //!< of its centre, mm
-};
-
-//! \param steps  (freedoms) how the joints' numbers change
-std::vector<StateRate> state_rates(const Joints& joints, const Eigen::VectorXd& steps);
-
-//! (freedoms) the gradient of an energy whose forces G rho + g are these (c, 3).
+//! (freedoms) gradient of an energy with forces G rho + g (c, 3).
 Eigen::VectorXd gradient_of(const Joints& joints, const FeatureResponses& responses,
                             const Eigen::MatrixXd& forces);
 

@@ -18,20 +18,20 @@ namespace
 
 constexpr int none = -1;
 constexpr int most_steps = 100;
-constexpr double smallest_step = 1e-14;  // radians, or of the size of the feature
-constexpr double largest_squared = 0.1;  // radians: Newton squares such steps
-constexpr double left_by_a_step = 10.0;  // of its square, at most
-constexpr double settled = 1e-9;         // radians: steps below it that shrink no more are noise
-constexpr double unseen_gain = 1e-10;    // of the energy: what rounding hides
-constexpr double widest_turn = 0.8;      // radians, of one step
-constexpr double unfelt = 1e-11;         // of the stiffest freedom: the energy does not feel it
-constexpr double barely_convex = 1e-6;   // likewise: what this makes convex some do not feel
-constexpr double first_shift = 0.02;     // likewise, where the energy is not convex
-constexpr double left_by_rounds = 0.03;  // of its square: rounds leave less than the step itself
-constexpr double lowest_share = 1e-9;    // of the step: what rounding leaves of it
+constexpr double smallest_step = 1e-14;  // radians, or relative to the size of the feature
+constexpr double largest_squared = 0.1;  // radians; below it convergence is quadratic
+constexpr double left_by_a_step = 10.0;  // limit of the error after a step, relative to its square
+constexpr double settled = 1e-9;         // radians; smaller steps that do not shrink are noise
+constexpr double unseen_gain = 1e-10;  // relative to the energy; a smaller gain is lost in rounding
+constexpr double widest_turn = 0.8;    // radians per step
+constexpr double unfelt = 1e-11;       // relative to the stiffest freedom; less has no effect
+constexpr double barely_convex = 1e-6;   // likewise; a Hessian convex with this shift is singular
+constexpr double first_shift = 0.02;     // likewise; first shift of an indefinite Hessian
+constexpr double left_by_rounds = 0.03;  // relative to the step squared; below Newton's error
+constexpr double lowest_share = 1e-9;    // relative to the step; rounding limits the CG error
 constexpr int most_rounds = 60;          // of conjugate gradients
 
-// Numbers that make every freedom about as stiff as any other; what nothing feels gets none.
+// Scales that give all freedoms a similar stiffness; 0 for freedoms without stiffness.
 Eigen::VectorXd scales(const Expansion& at)
 {
     const Eigen::VectorXd stiff = at.hessian.diagonal().cwiseAbs();
@@ -41,10 +41,10 @@ Eigen::VectorXd scales(const Expansion& at)
         { return value > 1e-18 * largest && value > 0.0 ? 1.0 / std::sqrt(value) : 0.0; });
 }
 
-// Factor of a symmetric matrix + shift; nothing where a pivot is not positive, or as good as none.
+// Factor of a symmetric matrix plus shift; nothing if a pivot is not clearly positive.
 std::optional<numerics::DenseCholesky> factored(const Eigen::MatrixXd& matrix, double shift)
 {
-    numerics::Weights shifted = matrix.transpose();  // as it lies in memory
+    numerics::Weights shifted = matrix.transpose();  // same memory layout
     shifted.diagonal().array() += shift;
     try
     {
@@ -59,7 +59,7 @@ std::optional<numerics::DenseCholesky> factored(const Eigen::MatrixXd& matrix, d
     return std::nullopt;
 }
 
-// Of what some freedoms do not feel: along eigenvectors, with |eigenvalue|.
+// Step with |eigenvalues| along eigenvectors, for Hessians that are singular in some freedoms.
 Eigen::VectorXd eigen_step(const Eigen::MatrixXd& scaled, const Eigen::VectorXd& right)
 {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
@@ -71,7 +71,7 @@ Eigen::VectorXd eigen_step(const Eigen::MatrixXd& scaled, const Eigen::VectorXd&
     return eigen.eigenvectors() * inverse.cwiseProduct(along);
 }
 
-// How much of a step may be taken, so that no freedom turns too far for its model.
+// The largest share of a step for which every rotation stays within the model's range.
 double bound_of(const Eigen::VectorXd& step, const Joints& joints)
 {
     double turn = 0.0;
@@ -85,9 +85,9 @@ double bound_of(const Eigen::VectorXd& step, const Joints& joints)
     return turn > widest_turn ? widest_turn / turn : 1.0;
 }
 
-// Newton's step by conjugate gradients, so near that what is left of it is less than what it
-// leaves; nothing where the energy is not convex, or so far from how it is at rest that this takes
-// long.
+// Newton's step by conjugate gradients, until the remaining error is smaller than Newton's own.
+// Nothing if the energy is not convex, or if convergence is slow because the state is far from
+// rest.
 std::optional<Eigen::VectorXd> near_step(const TurnExpansion& at, double precision)
 {
     Eigen::VectorXd step = Eigen::VectorXd::Zero(at.gradient().size());
@@ -114,7 +114,7 @@ std::optional<Eigen::VectorXd> near_step(const TurnExpansion& at, double precisi
     return std::nullopt;
 }
 
-//! A step, and whether the second derivative it came from has no negative direction.
+//! A step, and whether its Hessian has no negative direction.
 struct ConvexStep
 {
     Eigen::VectorXd amount;
@@ -136,7 +136,7 @@ ConvexStep convex_step(const Expansion& at)
     return {scale.asDiagonal() * factor->solve(right), is_convex};
 }
 
-//! The energy of joints for newton_minimum(). Lengths are the largest number of a step, radians.
+//! The energy of the joints for newton_minimum(). Step lengths are the largest component, radians.
 class JointProblem : public numerics::NewtonProblem
 {
 public:
@@ -196,11 +196,6 @@ private:
 };
 
 }  // namespace
-
-Eigen::VectorXd newton_step(const Expansion& at)
-{
-    return convex_step(at).amount;
-}
 
 Eigen::MatrixXd entries_of(const Joints& joints, const PlacementInput& part,
                            const FeatureResponses& responses)

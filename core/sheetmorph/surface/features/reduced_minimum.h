@@ -7,7 +7,7 @@
 namespace sheetmorph::surface
 {
 
-//! What a configuration is measured with.
+//! The data from which the energy of a configuration is computed.
 struct Measure
 {
     const PlacementInput& part;
@@ -15,20 +15,15 @@ struct Measure
     const ReducedEnergy& energy;
 };
 
-//! Entries (c, 3) of the turners' motions, as a ReducedEnergy counts them.
+//! Entries (c, 3) of the rotating bodies' motions, in the order of ReducedEnergy.
 Eigen::MatrixXd entries_of(const Joints& joints, const PlacementInput& part,
                            const FeatureResponses& responses);
 
-struct Expansion;
-
-//! (freedoms) the Newton step; where the energy is not convex, with the least of some shifts that
-//! make it so. Directions the energy does not feel stay as they are.
-Eigen::VectorXd newton_step(const Expansion& at);
-
-//! Moves the joints to the minimum of the energy near where they are: newton_minimum() on their own
-//! freedoms, with the full second derivative, made positive where it is not.
-//! Directions the energy does not feel stay as they are.
-//! \param precision  radians: the first step this small is the last. Steps square what is left.
+//! Moves the joints to the nearest local minimum of the energy by newton_minimum() on their
+//! freedoms. It uses the full second derivative, modified to be positive definite where necessary.
+//! Directions without effect on the energy stay unchanged.
+//! \param precision  radians; ends after the first step below it. The error after a step is of the
+//!                   order of its square.
 [[nodiscard]] Convergence minimise(Joints& joints, const Measure& measure, double precision = 0.0);
 
 }  // namespace sheetmorph::surface

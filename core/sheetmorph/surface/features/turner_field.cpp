@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/features/turner_field.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/threads/parallel.h"
@@ -16,7 +17,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Fewest for which another thread is worth its start.
+// Fewest vertices worth a thread.
 constexpr Eigen::Index least_blended = 2048;
 
 bool turns_sheet(const Turner& turner)
@@ -24,12 +25,12 @@ bool turns_sheet(const Turner& turner)
     return turner.turns && !turner.vertices.empty();
 }
 
-// How much a feature is held at the field's rotation, by the largest turn of the field between it
-// and what lies around it.
+// Stiffness that constrains a feature to the field's rotation, relative to its own, as a function
+// of the largest angle between field and feature (radians): a smooth step from 0 to 4.
 double hold(double angle)
 {
-    constexpr double begins = 75.0 / 180.0 * 3.14159265358979323846;
-    constexpr double complete = 150.0 / 180.0 * 3.14159265358979323846;
+    constexpr double begins = 75.0 / 180.0 * pi;
+    constexpr double complete = 150.0 / 180.0 * pi;
     const double t = std::clamp((angle - begins) / (complete - begins), 0.0, 1.0);
     return 4.0 * t * t * (3.0 - 2.0 * t);
 }

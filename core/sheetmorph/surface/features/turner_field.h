@@ -6,22 +6,23 @@
 namespace sheetmorph::surface
 {
 
-//! How far the field turns, at most, between each turner and where the sheet still turns with it.
+//! The largest angle of the field between each rotating body and the sheet that it rotates.
 //! \param logs  (n, 3) of the rotation field
-//! \returns     (turners) lengths of differences of logs
+//! \returns     by rotating body: norm of the difference of logs, half the angle in radians
 std::vector<double> farthest_turns(const FeatureResponses& responses, const Points& logs);
 
-//! Holds features at the field's rotation where the field turns by more than a right angle around
-//! them: there the energy of a flat sheet, which sees cosines, has no minimum of its own.
+//! Constrains features towards the field's rotation if the field turns strongly around them:
+//! gradually from 75 degrees on, fully from 150 degrees on. The energy of a flat sheet only depends
+//! on cosines and has no minimum of its own there.
 //! \param farthest  farthest_turns()
-//! \param start     turners with the rotation of the field
-//! \returns         whether any is held
+//! \param start     rotating bodies with the rotation of the field
+//! \returns         whether any feature is constrained
 bool hold_far_turned(const FeatureResponses& responses, const std::vector<double>& farthest,
                      const Joints& start, ReducedEnergy& energy);
 
-//! What the sheet turns like at every vertex, as far as logs can tell.
-//! \param states  of the turners
-//! \param logs    (n, 3) of the rotation field; changed where turners turn the sheet
+//! The rotation of the sheet at every vertex, as logs.
+//! \param states  of the rotating bodies
+//! \param logs    (n, 3) of the rotation field; changed where bodies rotate the sheet
 void blend_logs(const FeatureResponses& responses, const std::vector<BodyState>& states,
                 Points& logs);
 

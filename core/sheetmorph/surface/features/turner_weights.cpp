@@ -14,7 +14,7 @@ namespace
 
 constexpr int none = -1;
 
-// Which turner a vertex turns wholly with.
+// By vertex: the body with which it rotates fully, or none.
 std::vector<int> owners(int vertex_count, const std::vector<Turner>& turners)
 {
     std::vector<int> owner(at(vertex_count), none);
@@ -37,7 +37,8 @@ bool is_told_by_point(const RotationFieldInput& input, int vertex)
         });
 }
 
-// Vertices between turners and known rotations, in components that have a turner.
+// Free vertices between rotating bodies and prescribed rotations, in components that contain a
+// rotating body.
 Unknowns open_vertices(const RotationFieldInput& input, const std::vector<int>& owner)
 {
     const std::vector<int>& label = input.roles.components.label;
@@ -53,7 +54,7 @@ Unknowns open_vertices(const RotationFieldInput& input, const std::vector<int>& 
     return unknowns.found();
 }
 
-// So small a weight counts as none: distant features do not meet.
+// A smaller weight counts as zero, so that distant features do not interact.
 constexpr double faded = 1e-3;
 
 }  // namespace

@@ -8,11 +8,11 @@
 namespace sheetmorph::surface
 {
 
-//! How far the sheet at a vertex turns with each turner (mathematics.md, section 4): harmonic
-//! weights w, one on the turner, zero on the others and wherever the rotation is known, each
-//! passed through 3 w^2 - 2 w^3 and renormalised together with what is left to the rotation field.
-//! Weights fade to none at 1e-3, so that distant features do not meet.
-//! \returns of (n, turners); turners that do not turn have none
+//! The influence of each rotating body on the sheet's rotation at each vertex (mathematics.md,
+//! section 4). Harmonic weights w are 1 on the body and 0 on the others and on prescribed
+//! rotations. Each is mapped by 3 w^2 - 2 w^3, and all are renormalised together with the share of
+//! the rotation field. Weights below 1e-3 vanish, so that distant features do not interact.
+//! \returns (n, rotating bodies); bodies whose rotation is not free have no weights
 SmoothWeights turner_weights(const RotationFieldInput& input, const std::vector<Turner>& turners);
 
 }  // namespace sheetmorph::surface

@@ -14,8 +14,8 @@ namespace
 {
 
 constexpr double poisson = 0.3;
-constexpr double plane_enough = 1e-3;  // of a rim's size
-constexpr double rigid_modes = 1e-9;   // of the diagonal: what holds a sheet that nothing holds
+constexpr double plane_enough = 1e-3;  // relative to the size of a rim
+constexpr double rigid_modes = 1e-9;   // relative to the diagonal; regularises rigid body motions
 constexpr std::size_t fewest_of_rim = 3;
 
 using Gradient = Eigen::Matrix2d;
@@ -48,7 +48,7 @@ Eigen::Matrix2d tension_of(const Eigen::Matrix2d& stress)
            * eigen.eigenvectors().transpose();
 }
 
-//! Six by six: two numbers a corner.
+//! Element gradient and stiffness: 6 unknowns, two per corner.
 struct Local
 {
     Eigen::Matrix<double, 6, 1> gradient;
@@ -80,7 +80,7 @@ Local local_of(const FlatTriangle& triangle, const FlatPoints& positions, bool i
     return found;
 }
 
-// (k, 2) of points that lie in a plane, and how far they are off it.
+// (k, 2) projection of points to their best-fitting plane, and their largest distance from it.
 std::pair<FlatPoints, double> in_their_plane(const mesh::TriangleMesh& mesh,
                                              const VertexIds& vertices)
 {
@@ -92,7 +92,8 @@ std::pair<FlatPoints, double> in_their_plane(const mesh::TriangleMesh& mesh,
     return {flat, (arms * eigen.eigenvectors().col(0)).cwiseAbs().maxCoeff()};
 }
 
-// The points turned, not mirrored, and shifted to where they fit best; the sum of squares left.
+// The points rotated (not mirrored) and translated to the best fit, and the remaining sum of
+// squares.
 std::pair<FlatPoints, double> fitted(const FlatPoints& form, const FlatPoints& places)
 {
     const Eigen::RowVector2d from = form.colwise().mean(), to = places.colwise().mean();
@@ -118,7 +119,7 @@ FlatSystem::FlatSystem(const FlatInput& input, std::vector<FlatTriangle> triangl
     number();
 }
 
-// Plane rims take their own form, the side up that fits.
+// Plane rims take their own shape, with the side up that fits better.
 void FlatSystem::place_rims(const FlatInput& input)
 {
     for (std::size_t k = 0; k < input.rims.size(); ++k)
@@ -243,7 +244,7 @@ std::optional<numerics::NewtonStep> FlatSystem::step(int model)
     return found;
 }
 
-// The farthest that any vertex would move, mm.
+// The largest displacement of a vertex in a step, mm.
 double FlatSystem::length_of(const Eigen::VectorXd& change) const
 {
     double worst = 0.0;

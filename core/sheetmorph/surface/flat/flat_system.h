@@ -11,31 +11,33 @@
 namespace sheetmorph::surface
 {
 
-//! A triangle of a membrane in the plane.
+//! A triangle of a plane membrane.
 struct FlatTriangle
 {
     int index;  //!< in the mesh
     std::array<int, 3> corners;
-    Eigen::Matrix<double, 3, 2> gradients;  //!< of the shape functions, as it wants to be
-    double area;                            //!< mm^2
+    //! Of the shape functions on its stress-free shape, 1/mm.
+    Eigen::Matrix<double, 3, 2> gradients;
+    double area;  //!< mm^2
 };
 
-//! The membrane of a sheet in the plane: vertices move freely or with a rim.
+//! The plane membrane of a sheet. Vertices move freely or with a rigid rim.
 class FlatSystem : public numerics::NewtonProblem
 {
 public:
-    //! \param start  where the vertices are; rims are put where they fit best
+    //! \param start  initial positions; rims move to their best-fitting position
     FlatSystem(const FlatInput& input, std::vector<FlatTriangle> triangles, FlatPoints start);
 
     const FlatPoints& positions() const { return positions_; }
     const std::vector<char>& rigid_rims() const { return is_rigid_; }
 
-    //! Over E h and elastic constants.
+    //! Membrane energy divided by E h / (1 - nu^2), mm^2.
     double energy() const;
 
     double value() override { return energy(); }
 
-    //! Of the tangent itself, or (model 1) of that of tension alone. Lengths are mm.
+    //! Newton step. Model 0 uses the full tangent; model 1 only includes tensile stress, so that it
+    //! is positive semidefinite. Step lengths are in mm.
     std::optional<numerics::NewtonStep> step(int model) override;
 
     void remember() override { before_ = positions_; }
@@ -62,11 +64,11 @@ private:
     FlatPoints positions_, before_;
     std::vector<VertexIds> rims_;
     std::vector<char> is_rigid_;
-    std::vector<int> rim_of_;  // by vertex, or -1
-    std::vector<int> first_;   // by vertex, then by rim: unknowns
+    std::vector<int> rim_of_;  // by vertex; or -1
+    std::vector<int> first_;   // by vertex, then by rim: first unknown
     int count_ = 0;
-    std::vector<Vector3> places_;                     // of the unknowns at rest
-    std::optional<numerics::SparseCholesky> factor_;  // of the last tangent; all have one pattern
+    std::vector<Vector3> places_;                     // rest positions of the unknowns
+    std::optional<numerics::SparseCholesky> factor_;  // of the last tangent; same pattern
 };
 
 }  // namespace sheetmorph::surface

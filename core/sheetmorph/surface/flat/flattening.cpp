@@ -18,7 +18,7 @@ namespace
 {
 
 constexpr int most_rounds = 60;
-constexpr double settled = 1e-8;  // of the size: a round that moves less is the last
+constexpr double settled = 1e-8;  // relative to the size: limit of a step at convergence
 
 void require_sheet(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table)
 {
@@ -66,7 +66,8 @@ void require_neutral(const FlatInput& input)
         throw InvalidInput("directions and factors of a neutral fibre are finite, factors above 0");
 }
 
-// Each as it wants to lie in the plane: as at rest, longer where the neutral fibre says so.
+// The stress-free shape of each triangle in the plane: as at rest, stretched along the neutral
+// fibre.
 std::vector<FlatTriangle> triangles_of(const mesh::TriangleMesh& mesh, const FlatInput& input)
 {
     std::vector<FlatTriangle> found;
@@ -97,7 +98,8 @@ std::vector<FlatTriangle> triangles_of(const mesh::TriangleMesh& mesh, const Fla
     return found;
 }
 
-// The vertices farthest apart, nearly: pinned, they tell where the flat sheet is and how large.
+// Two vertices with nearly the largest distance. Pinning them determines position, rotation and
+// scale of the conformal map.
 std::array<int, 2> farthest_pair(const mesh::TriangleMesh& mesh,
                                  const std::vector<FlatTriangle>& all)
 {
@@ -119,11 +121,11 @@ std::array<int, 2> farthest_pair(const mesh::TriangleMesh& mesh,
     return {one, farthest_from(mesh.points().row(one).transpose())};
 }
 
-//! Unknowns u, v of every vertex but two pinned ones.
+//! Unknowns u, v of every vertex except two pinned ones.
 struct ConformalProblem
 {
     numerics::SparseMatrix rows;  // (2 m, 2 n)
-    std::vector<int> unknowns;    // (2 n), -1: pinned or in no triangle
+    std::vector<int> unknowns;    // (2 n), -1: pinned or unused
     int count = 0;
 };
 
@@ -142,7 +144,7 @@ ConformalProblem conformal_problem(const mesh::TriangleMesh& mesh,
         {
             const int u = 2 * all[t].corners[at(k)];
             const double a = weight * all[t].gradients(k, 0), b = weight * all[t].gradients(k, 1);
-            // u_x = v_y and u_y = -v_x.
+            // Cauchy-Riemann equations: u_x = v_y and u_y = -v_x.
             entries.emplace_back(row, u, a);
             entries.emplace_back(row, u + 1, -b);
             entries.emplace_back(row + 1, u, b);
@@ -169,7 +171,7 @@ double area_of(const FlatTriangle& triangle, const FlatPoints& positions)
     return 0.5 * sides.determinant();
 }
 
-// Least squares conformal map, as large as the sheet.
+// Least squares conformal map, scaled to the area of the sheet.
 FlatPoints conformal_map(const mesh::TriangleMesh& mesh, const std::vector<FlatTriangle>& all)
 {
     const std::array<int, 2> pinned = farthest_pair(mesh, all);

@@ -8,39 +8,38 @@
 namespace sheetmorph::surface
 {
 
-//! (n, 2) places in a plane, mm.
+//! (n, 2) positions in a plane, mm.
 using FlatPoints = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
-//! A sheet to be laid flat.
+//! Input of flatten().
 struct FlatInput
 {
-    const mesh::TriangleMesh& mesh;  //!< of one piece
-    std::vector<VertexIds> rims;     //!< keep their form where they are plane; they share no vertex
+    const mesh::TriangleMesh& mesh;  //!< connected
+    std::vector<VertexIds> rims;     //!< rims that keep their shape if they are plane; disjoint
 
-    //! (m, 3) of length 1, and (m) how much longer the sheet is along them once it is flat (the
-    //! neutral fibre of bends); both may be empty.
+    //! (m, 3) of length 1, and (m) the stretch of the sheet along them in the flat shape (neutral
+    //! fibre of bends). Both may be empty.
     Points directions = {};
     Eigen::VectorXd factors = {};
 };
 
-//! A sheet laid flat.
+//! A flattened sheet.
 struct Flattening
 {
-    FlatPoints positions;  //!< (n, 2) mm, seen from the side that its normals point to
+    FlatPoints positions;  //!< (n, 2) mm, seen from the side to which its normals point
     Convergence convergence = {};
-    std::vector<char> is_rigid;  //!< by rim: it was plane, and kept its form
-    std::vector<int> turned;     //!< triangles that most of the sheet faces away from, and which
-                                 //!< were turned for it
-    std::vector<int> flipped;    //!< triangles that came out upside down
+    std::vector<char> is_rigid;  //!< by rim: whether it was plane and kept its shape
+    std::vector<int> turned;     //!< triangles flipped to agree with the majority
+    std::vector<int> flipped;    //!< triangles with a negative area in the result
 };
 
-//! Lays a sheet flat with as little stretch as it can: from a least squares conformal map (Levy
-//! 2002) on, the membrane energy of steel in the plane, by Newton's method. Kinematics alone: no
-//! press, no friction.
-//! \throws InvalidInput for a sheet that is closed, one-sided, in pieces, or has edges of more than
-//! two triangles; for rims that name a vertex it has not, or one twice; for a neutral fibre that
-//! has not one finite direction and one factor above 0 for each triangle
-//! \throws Cancelled if the progress callback asks for it
+//! Flattens a sheet with as little stretch as possible. It starts from a least squares conformal
+//! map (Levy 2002) and minimises the membrane energy of steel in the plane by Newton's method. The
+//! method is purely geometric; it does not simulate forming tools or friction.
+//! \throws InvalidInput for a sheet that is closed, one-sided, disconnected, or has edges of more
+//!                      than two triangles; for rims with missing or repeated vertices; for a
+//!                      neutral fibre without a finite direction and a factor > 0 for each triangle
+//! \throws Cancelled    on request of the progress callback
 Flattening flatten(const FlatInput& input, const Progress& progress = {});
 
 }  // namespace sheetmorph::surface

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/live/drawn_motions.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/index.h"
 
 #include <cmath>
@@ -11,9 +12,9 @@ namespace sheetmorph::surface
 namespace
 {
 
-constexpr double farthest_shift = 0.35;  // of the part's size
+constexpr double farthest_shift = 0.35;  // relative to the part's size
 
-// How far handles turn, and how many poses tell that, by how many they are.
+// Largest rotation of the handles (radians) and number of poses, by the number of handles.
 struct Own
 {
     double farthest;
@@ -22,10 +23,9 @@ struct Own
 
 Own own(std::size_t turning)
 {
-    constexpr double degrees = M_PI / 180.0;
     if (turning == 1)
-        return {165.0 * degrees, 128};
-    return turning == 2 ? Own{100.0 * degrees, 256} : Own{75.0 * degrees, 512};
+        return {165.0 * degree, 128};
+    return turning == 2 ? Own{100.0 * degree, 256} : Own{75.0 * degree, 512};
 }
 
 }  // namespace

@@ -10,13 +10,14 @@
 namespace sheetmorph::surface
 {
 
-//! Motions of a handle drawn all over where it may be dragged, the same ones every time.
+//! Random motions of a handle over its range of drags; the sequence is reproducible.
 class DrawnMotions
 {
 public:
-    //! \param handle    its vertices: the motion is about their middle
-    //! \param start     where it stands
-    //! \param farthest  radians that it turns from there, moved by up to a third of the part
+    //! \param handle    its vertices; the motion is about their mean
+    //! \param start     its initial motion
+    //! \param farthest  largest additional rotation, radians; translations reach 0.35 of the part's
+    //!                  size
     RigidMotion next(const mesh::TriangleMesh& mesh, const VertexIds& handle,
                      const RigidMotion& start, double farthest);
 
@@ -27,8 +28,9 @@ private:
     std::mt19937 bits_{1};
 };
 
-//! Poses of a part in which some handles turn and move on their own, from which a response learns:
-//! one by up to 165 degrees, two by up to 100, more by up to 75. The first is `start`.
+//! Training poses of a response, in which some handles move and rotate independently. The rotations
+//! reach 165 degrees for one handle, 100 degrees for two and 75 degrees for more. The first pose is
+//! `start`.
 std::vector<SurfaceTargets> own_poses(const mesh::TriangleMesh& mesh,
                                       const SurfaceConstraints& constraints,
                                       const SurfaceTargets& start, const std::vector<int>& turning);

@@ -16,8 +16,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Columns that are substituted together: about as many, fewer where each takes long, so that
-// whoever ends a drag does not wait.
+// Columns per substitution. Large parts get fewer, so that the end of a drag does not have to wait.
 constexpr Eigen::Index most_together = 12;
 constexpr Eigen::Index fewest_together = 3;
 constexpr Eigen::Index entries_together = 2000000;
@@ -37,7 +36,7 @@ Eigen::MatrixXd learnt_columns(const PoseNumbers& numbers, const std::vector<Kno
     return columns;
 }
 
-// Columns of one pose together.
+// Sorts the columns by pose.
 std::vector<LearntFields::Asked> LearntFields::in_order(
     const std::vector<Eigen::Index>& columns) const
 {
@@ -49,7 +48,7 @@ std::vector<LearntFields::Asked> LearntFields::in_order(
     return asked;
 }
 
-// The field of a pose at every vertex.
+// The rotation field of a pose at every vertex.
 LearntFields::Field LearntFields::field(const KnownPose& pose) const
 {
     const PoseNumbers::Turns known = numbers_.turns(pose);
@@ -59,7 +58,7 @@ LearntFields::Field LearntFields::field(const KnownPose& pose) const
     return {logs, numerics::narrow_product(numbers_.field(), known.tilts)};
 }
 
-// What is left to the field of how the sheet turns at every vertex, less the identity.
+// The field's share of the sheet's rotation at every vertex, minus the identity.
 std::vector<Matrix3> LearntFields::turns(const Field& field) const
 {
     const Eigen::VectorXd left = shares_of_field(part_);
@@ -76,8 +75,8 @@ std::vector<Matrix3> LearntFields::turns(const Field& field) const
     return turns;
 }
 
-// Displacements of what is known; bodies whose rotation the field decides turn by it, those that
-// the energy turns do not.
+// Displacements of prescribed vertices and bodies. Bodies with an interpolated rotation follow the
+// field; those with a free rotation do not rotate.
 Eigen::MatrixXd LearntFields::offset(const KnownPose& pose, const Field& field) const
 {
     BodyMotions bodies = pose.bodies;
@@ -87,7 +86,7 @@ Eigen::MatrixXd LearntFields::offset(const KnownPose& pose, const Field& field) 
     return known_displacements(part_.placement(), pose.targets, bodies);
 }
 
-// Fills the columns of the next few, from `first` on.
+// Fills in the targets of the next columns, starting at `first`.
 void LearntFields::ask(const std::vector<Asked>& asked, std::size_t first,
                        numerics::ConstrainedMinimiser::Targets& targets) const
 {

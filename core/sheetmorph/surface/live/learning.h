@@ -7,31 +7,34 @@
 namespace sheetmorph::surface
 {
 
-//! (e, 3 p): the numbers of every pose, a column a coordinate.
+//! (e, 3 p): the reduced inputs of every pose, one column per coordinate.
 Eigen::MatrixXd learnt_columns(const PoseNumbers& numbers, const std::vector<KnownPose>& poses);
 
-//! How a part answers single coordinates of some poses, the bodies that the energy turns unturned.
+//! Snapshots: displacement fields for single coordinates of the training poses, with unrotated
+//! bodies where the energy determines their rotation.
 class LearntFields
 {
 public:
-    //! \param numbers  with the whole field
+    //! \param numbers  with the full field
     LearntFields(const PreparedSurface& part, const PoseNumbers& numbers,
                  const std::vector<KnownPose>& poses)
         : part_(part), numbers_(numbers), poses_(poses)
     {
     }
 
-    //! \param columns  of learnt_columns()
-    //! \param slopes   filled, (c, k): of the energy of the turned bodies; no rows without any
-    //! \returns        (n, k) displacements, in mm
-    //! \throws Cancelled as `progress` asks
+    //! Computes displacement fields.
+    //! \param columns  indices into learnt_columns()
+    //! \param slopes   filled, (c, k): slopes of the reduced energy; without rows if no body
+    //!                 rotates
+    //! \returns        (n, k) displacements, mm
+    //! \throws Cancelled on request of `progress`
     Eigen::MatrixXd solve(const std::vector<Eigen::Index>& columns, Eigen::MatrixXd& slopes,
                           const Progress& progress) const;
 
 private:
     struct Asked
     {
-        Eigen::Index column;  // of the answer
+        Eigen::Index column;  // of the result
         std::size_t pose;
         Eigen::Index coordinate;
     };

@@ -15,19 +15,19 @@ namespace sheetmorph::surface
 namespace
 {
 
-// A rigid body is known by a few of its vertices, a contact by some of them.
+// Number of vertices that represent a rigid body, and limit on those that represent a contact.
 constexpr std::size_t watched_of_a_body = 6;
 constexpr std::size_t watched_of_a_region = 300;
 
-// Places where the rotation of the sheet may be watched, and those they are chosen from.
+// Limits on the number of places at which the sheet's rotation is an input, and of the candidates.
 constexpr std::size_t most_places = 400;
 constexpr std::size_t most_candidates = 4000;
 
-// Places this near in how they turn tell the same.
+// Places whose field rows differ by less are redundant.
 constexpr double same_turn = 1e-4;
 
-// The least extent of a contact, of the part's size, to which the motion of its vertices is
-// related: a tilt of it carries the whole part along.
+// Smallest extent of a contact, relative to the part's size, to which displacements are related. A
+// tilt of a smaller contact moves the whole part.
 constexpr double least_reach = 0.02;
 
 VertexIds some_of(const VertexIds& vertices, std::size_t count)
@@ -51,7 +51,7 @@ double extent(const Points& points, const VertexIds& vertices)
     return (high - low).norm();
 }
 
-// Every rotation that a pose gives, one after the other.
+// Visits all rotations that a pose gives, in a fixed order.
 template <typename Targets, typename Bodies, typename Visit>
 void visit_logs(Targets& targets, Bodies& bodies, Visit visit)
 {
@@ -77,7 +77,7 @@ Points given_logs(const KnownPose& pose)
     return logs;
 }
 
-// As many rows as given_logs() has, of the same.
+// Tilts in the order of given_logs().
 Points given_tilts(const KnownPose& pose, Eigen::Index rows)
 {
     const std::vector<PropagatedTarget>& propagated = pose.targets.propagated;
@@ -99,7 +99,7 @@ Points given_tilts(const KnownPose& pose, Eigen::Index rows)
     return tilts;
 }
 
-// As many rows as count, far from each other: each the farthest from those before.
+// Farthest point sampling: up to `count` rows, each the farthest from the earlier ones.
 VertexIds far_rows(const numerics::Weights& points, const VertexIds& candidates, std::size_t count)
 {
     VertexIds found;
@@ -138,7 +138,8 @@ PoseNumbers::PoseNumbers(const PreparedSurface& part, const std::vector<KnownPos
     find_places();
 }
 
-// The field is linear in the logs it is given, in every coordinate alike: three directions at once.
+// The field is linear in the given logs and treats all coordinates alike, so one evaluation
+// computes three basis rotations.
 void PoseNumbers::span_turns(const std::vector<KnownPose>& samples)
 {
     Eigen::MatrixXd columns(given_logs(samples.front()).rows(),
@@ -225,7 +226,7 @@ void PoseNumbers::find_movers()
         items_.push_back({Item::Kind::point, static_cast<int>(k), 0, Eigen::RowVector3d::Zero()});
 }
 
-// Far from each other in how they turn, so that the ends of every weight are among them.
+// Selects places far apart in the field weights, so that they include the extremes of every weight.
 void PoseNumbers::find_places()
 {
     VertexIds candidates;

@@ -8,7 +8,7 @@
 namespace sheetmorph::surface
 {
 
-//! A pose and what it tells of the bodies; the targets outlive it.
+//! A pose and the prescribed motions of its bodies. The targets must outlive it.
 struct KnownPose
 {
     KnownPose(const PreparedSurface& part, const SurfaceTargets& pose);
@@ -17,48 +17,49 @@ struct KnownPose
     BodyMotions bodies;
 };
 
-//! The numbers that decide a part in one pose: how its known vertices and points move, and the
+//! The reduced inputs of a part in one pose: displacements of prescribed vertices and points, and
 //! rotations of the sheet at places all over it. The shape is linear in them, coordinate by
-//! coordinate, whatever drives the part: any number of handles, welds, contacts and points.
+//! coordinate, for any number of handles, welds, contacts and points.
 class PoseNumbers
 {
 public:
     //! \param samples  poses whose rotations span those of all poses
     PoseNumbers(const PreparedSurface& part, const std::vector<KnownPose>& samples);
 
-    //! The rotations that a pose gives, as numbers of those that the samples have in common.
+    //! The rotations of a pose in the basis of the samples' rotations.
     struct Turns
     {
         Points logs;   //!< (m, 3) radians (2.6)
-        Points tilts;  //!< (m, 3) what logs cannot tell (log_near()); no rows: nothing
-        double miss;   //!< radians: by how much they miss a given rotation
+        Points tilts;  //!< (m, 3) remainder that logs cannot represent (log_near()); no rows: zero
+        double miss;   //!< radians: largest error of a given rotation
     };
     Turns turns(const KnownPose& pose) const;
 
-    //! (r, m): how vertices turn with each of them, by the rotation field: every one, or those
-    //! kept.
+    //! (r, m): influence of each basis rotation on the vertices, by the rotation field. After
+    //! keep() only of the kept vertices.
     const numerics::Weights& field() const { return field_; }
 
     //! The row of a vertex in field().
     Eigen::Index row_of(int vertex) const;
 
-    //! (e, 3) no unit: a change of 1 turns or stretches by 1. An item after the other.
+    //! (e, 3) the inputs, item by item, no unit: a change of 1 is a rotation or a strain of order
+    //! 1.
     Points of(const KnownPose& pose, const Turns& turns) const;
 
     //! The item of every row of of().
     std::vector<int> items() const;
 
-    //! The items that are no places.
+    //! The items that are not places.
     std::vector<int> movers() const;
 
-    //! Only these items from now on, ascending, and the field at their places and some vertices.
+    //! Keeps only these items (ascending), and the field at their places and some vertices.
     void keep(const std::vector<int>& items, VertexIds vertices);
 
-    //! Only these items, and the whole field.
+    //! Keeps only these items, and the whole field.
     void keep(const std::vector<int>& items);
 
 private:
-    //! One row: a vertex that the pose moves by itself, or a point. Three rows: a place.
+    //! One row for a vertex moved by the pose or for a point; three rows for a place.
     struct Item
     {
         enum class Kind : char
@@ -71,7 +72,7 @@ private:
         };
         Kind kind;
         int index;                //!< of the region, handle, body, point or vertex
-        Eigen::Index row = 0;     //!< within the region
+        Eigen::Index row = 0;     //!< row within the region
         Eigen::RowVector3d rest;  //!< mm
     };
     void span_turns(const std::vector<KnownPose>& samples);
@@ -81,10 +82,10 @@ private:
     Eigen::RowVector3d displacement(const Item& item, const KnownPose& pose) const;
 
     const PreparedSurface& part_;
-    double reach_;                  // mm: the size of what has a prescribed motion
-    numerics::Weights directions_;  // (m, g) of the given rotations
+    double reach_;                  // mm: size of the smallest region with prescribed motion
+    numerics::Weights directions_;  // (m, g) basis of the given rotations
     numerics::Weights field_;
-    VertexIds kept_;  // the vertices of its rows, ascending; empty: all
+    VertexIds kept_;  // vertices of the rows of field_, ascending; empty: all
     std::vector<Item> items_;
 };
 

@@ -18,22 +18,23 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Contacts of more vertices together take too long to prepare.
+// Preparing contacts with more vertices takes too long.
 constexpr std::size_t most_propagated = 5000;
 
-// By how much the numbers of a frame may miss being a blend: radians, about.
+// Largest error of a frame's numbers as a combination of the snapshots, about radians.
 constexpr double largest_miss = 4e-7;
 
-// By how much the fields may miss what a number moves, of the part's size.
+// Error of the fields per unit of a number, relative to the part's size.
 constexpr double miss_a_size = 2e-8;
 
-// Fields that are laid out between two looks at whether somebody waits for the end.
+// Fields converted between two checks for cancellation.
 constexpr Eigen::Index fields_at_once = 24;
 
-// Radians: Newton's steps square what is left, so that less than 1e-9 is.
+// Radians. Newton's error is of the order of the last step squared, hence below 1e-9.
 constexpr double live_precision = 1e-5;
 
-// Below this bound on how far the field turns around a body it is not held (turner_field.h).
+// Bodies are not constrained if the bound on the field's variation around them is smaller
+// (turner_field.h).
 constexpr double surely_not_held = 0.6;
 
 double largest(const Points& numbers)
@@ -98,7 +99,7 @@ void Response::find_known()
             open_.push_back(static_cast<int>(k));
 }
 
-// Which of the vertices that are read a body turns along, and how far.
+// Collects the rotating bodies that influence each read vertex, with their weights.
 void Response::find_blends()
 {
     if (part_.responses == nullptr)
@@ -144,7 +145,7 @@ void Response::learn(const std::vector<SurfaceTargets>& samples, const Progress&
     keep(fields, span.reach, progress);
 }
 
-// (n, k): how the sheet answers the directions of the span.
+// (n, k) displacement fields for the directions of the span.
 Eigen::MatrixXd Response::solve(const std::vector<KnownPose>& poses, const Span& span,
                                 const Progress& progress)
 {
@@ -158,8 +159,9 @@ Eigen::MatrixXd Response::solve(const std::vector<KnownPose>& poses, const Span&
     return answers;
 }
 
-// What lies in the span is told by what moves and some of the places: those alone are asked for in
-// a frame. What did not move in any sample must be seen to stay.
+// Selects the interpolation points: numbers within the span are determined by the movers and some
+// of the places, and a frame only evaluates these. All movers stay, to detect a motion that no
+// sample contains.
 void Response::tell_from_few(const Span& span)
 {
     const std::vector<int> items = numbers_->items();
@@ -185,7 +187,7 @@ void Response::tell_from_few(const Span& span)
     numbers_->keep(kept, std::move(wanted));
 }
 
-// Fields of the turned bodies first, if there are any.
+// Stores the fields; those of rotating bodies come first.
 void Response::keep(const Eigen::MatrixXd& fields, const Eigen::VectorXd& reach,
                     const Progress& progress)
 {
@@ -213,7 +215,7 @@ void Response::keep(const Eigen::MatrixXd& fields, const Eigen::VectorXd& reach,
     basis_ = numerics::ResponseBasis(all);
 }
 
-// Bodies start with the rotation that the field has on them.
+// Bodies start with the rotation of the field.
 void Response::turn_open(const PoseNumbers::Turns& turns, BodyMotions& bodies) const
 {
     for (std::size_t k = 0; k < part_.roles.bodies.size(); ++k)
@@ -232,7 +234,7 @@ void Response::turn_open(const PoseNumbers::Turns& turns, BodyMotions& bodies) c
     }
 }
 
-// Exact where it matters: below the angle at which bodies begin to be held, a bound will do.
+// Uses a bound if it is below the angle at which constraints begin; otherwise computes exactly.
 std::vector<double> Response::farthest(const PoseNumbers::Turns& turns) const
 {
     const Eigen::VectorXd bounds = spread_ * turns.logs.rowwise().norm();
@@ -242,7 +244,8 @@ std::vector<double> Response::farthest(const PoseNumbers::Turns& turns) const
                           numerics::narrow_product(numbers_->field(), turns.logs));
 }
 
-// \returns numbers of the turned bodies' own fields; nothing if Newton's steps do not settle
+// \returns coordinates of the rotating bodies' own fields; nothing if Newton's method does not
+//          converge
 std::optional<Points> Response::minimise_turned(const SurfaceTargets& targets, const Points& blend,
                                                 Frame& frame) const
 {
@@ -265,7 +268,7 @@ std::optional<Points> Response::minimise_turned(const SurfaceTargets& targets, c
     return Points(entries_of(joints, placement, responses));
 }
 
-// Where the sheet takes them.
+// Translates bodies with the sheet.
 void Response::shift_bodies(Frame& frame) const
 {
     const Points moved = numerics::narrow_product(
@@ -281,7 +284,7 @@ void Response::shift_bodies(Frame& frame) const
     }
 }
 
-// What the sheet turns like where bodies turn it (blend_logs(), for some vertices).
+// The rotation of the sheet at read vertices (blend_logs() for some vertices).
 void Response::blend_logs(Frame& frame) const
 {
     frame.logs.resize(static_cast<Eigen::Index>(readers_.vertices.size()), 3);

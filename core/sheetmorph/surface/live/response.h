@@ -12,50 +12,51 @@
 namespace sheetmorph::surface
 {
 
-//! Who reads a part in a live frame.
+//! The data of a part that a live frame reads.
 struct ResponseReaders
 {
-    VertexIds vertices = {};  //!< that later parts read: known before the part is placed, in double
+    VertexIds vertices = {};  //!< read by later parts; computed first, in double
     bool all_logs = false;    //!< whether the rotation logs of all vertices are read too
 };
 
-//! How a part answers to whatever drives it - handles, welds, contacts, points -, learnt from
-//! poses, so that a frame is one pass over a small basis, without substitution. The shape is linear
-//! in the PoseNumbers, and those of all poses of a drag are blends of those of a few. Fields are
-//! solved for these few; a frame blends them, and is refused where its numbers are not such a
-//! blend. Bodies that the energy turns have fields of their own: a frame minimises over their
-//! motions (mathematics.md, section 4). Sizes are laid on last. Less than 1e-6 of the size from the
-//! exact solve.
+//! A reduced model of a part's response to its drivers (handles, welds, contacts, points), trained
+//! on sample poses. A frame evaluates a small basis and needs no back-substitution.
+//! The shape is linear in the PoseNumbers. Those of all poses of a drag are combinations of the
+//! numbers of a few snapshots. The constructor solves the fields of these snapshots. A frame
+//! combines them; it is refused if its numbers are not such a combination. Rotating bodies have
+//! their own fields: a frame minimises over their motions (mathematics.md, section 4). Sizes are
+//! applied last. The difference to the exact solve is below 1e-6 of the size.
 class Response
 {
 public:
-    //! \param part     outlives the response
-    //! \param samples  poses to learn from
-    //! \throws Cancelled as `progress` asks
+    //! \param part     must outlive the response
+    //! \param samples  training poses
+    //! \throws Cancelled on request of `progress`
     Response(const PreparedSurface& part, const std::vector<SurfaceTargets>& samples,
              ResponseReaders readers, const Progress& progress = {});
 
-    //! Whether the samples have enough in common; else it answers no pose.
+    //! Whether a small basis represents the samples; otherwise frame() returns nothing.
     bool is_learnt() const { return is_learnt_; }
 
-    //! A pose in the numbers of the basis. What is rigid is known before any vertex is placed.
+    //! A pose in the coordinates of the basis. All rigid motions are determined before any vertex
+    //! is placed.
     struct Frame
     {
         numerics::ResponseBasis::Coefficients coefficients;
         PoseNumbers::Turns turns;
-        Points logs;                        // of what later parts read
-        BodyMotions bodies;                 // all of them
-        std::vector<BodyState> turned;      // those that the energy turns
+        Points logs;                        // of the vertices that later parts read
+        BodyMotions bodies;                 // all bodies
+        std::vector<BodyState> turned;      // states of the rotating bodies
         std::vector<RigidMotion> handles;   // of the pose
-        std::vector<Points> regions;        // likewise
-        SizeChanges sizes;                  // likewise
+        std::vector<Points> regions;        // of the pose
+        SizeChanges sizes;                  // of the pose
         std::vector<RigidMotion> features;  // about their rest centroids
 
         bool has_sizes() const;
     };
 
-    //! Nothing if the pose is no blend of those learnt from, or bodies that the energy turns do not
-    //! settle.
+    //! Returns nothing if the pose is not a combination of the snapshots, or if the rotating bodies
+    //! do not converge.
     //! \throws InvalidInput if a size cannot be set
     std::optional<Frame> frame(const SurfaceTargets& targets) const;
 
@@ -68,12 +69,11 @@ public:
     Eigen::Index fields() const { return basis_.columns(); }
     double bytes() const { return basis_.bytes(); }  //!< of the fields in memory
 
-    //! Whether contacts drive few enough vertices, and the bodies that the energy turns are few
-    //! enough.
+    //! Whether contacts drive few enough vertices.
     static bool is_possible(const PreparedSurface& part);
 
 private:
-    struct Group  // what moves as it is told, or as one
+    struct Group  // vertices that move with one handle or body
     {
         int handle, body;  // or -1
         VertexIds vertices;
@@ -83,7 +83,7 @@ private:
     {
         int vertex, region, row;
     };
-    struct Blend  // a read vertex that a body turns along
+    struct Blend  // a read vertex that a rotating body influences
     {
         Eigen::Index row, turner;
         double weight;
@@ -107,18 +107,18 @@ private:
     bool wants_all_logs() const;
 
     const PreparedSurface& part_;
-    ResponseReaders readers_;  // with the corners that followers hang on
+    ResponseReaders readers_;  // with the corners to which followers are attached
     std::vector<Group> groups_;
     std::vector<Known> known_;
-    std::vector<int> open_;  // bodies whose translation the sheet decides
+    std::vector<int> open_;  // bodies whose translation depends on the sheet
     std::optional<PoseNumbers> numbers_;
-    numerics::Weights blend_;  // (k, s) numbers of the fields from those of a pose
-    numerics::Weights told_;   // (s, k) and back
-    Eigen::VectorXd left_;     // (n) what of the sheet's turn is left to the field
-    Eigen::MatrixXd spread_;   // (turners, m) how far the field differs around each, at most
+    numerics::Weights blend_;  // (k, s) combination of the snapshots from the numbers of a pose
+    numerics::Weights told_;   // (s, k) numbers of a pose from a combination
+    Eigen::VectorXd left_;     // (n) the field's share of the sheet's rotation
+    Eigen::MatrixXd spread_;   // (rotating bodies, m) bound on the field's variation around each
     std::vector<Blend> blends_;
-    numerics::Weights slopes_;      // (c, k) of the energy of the turned bodies
-    numerics::Weights reads_rows_;  // (open and reads, c + k) of the fields, in double
+    numerics::Weights slopes_;      // (c, k) slopes of the reduced energy
+    numerics::Weights reads_rows_;  // (read values, c + k) rows of the fields, in double
     numerics::ResponseBasis basis_;
     bool is_learnt_ = false;
 };

@@ -15,12 +15,12 @@ namespace
 constexpr double largest_miss = 2e-8;
 constexpr Eigen::Index most_directions = 600;
 
-// A pose costs more than a column: what one that is at hand tells is taken before what a new one
-// would, as long as it is missed by this share of the worst.
+// A new pose is more expensive than another column of a selected pose. Such a column is preferred
+// if its error is above this share of the largest error.
 constexpr double worth_taking = 0.2;
 constexpr Eigen::Index columns_a_pose = 3;
 
-// The column to take next.
+// The column to select next.
 Eigen::Index next_column(const Eigen::RowVectorXd& misses, const std::vector<Eigen::Index>& chosen)
 {
     Eigen::Index worst = 0;

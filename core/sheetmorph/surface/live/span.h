@@ -8,24 +8,23 @@
 namespace sheetmorph::surface
 {
 
-//! What many columns have in common: a few of them, and directions that blend to all of them.
+//! A reduced basis of many columns (snapshots), selected greedily.
 struct Span
 {
-    std::vector<Eigen::Index> chosen;  //!< (k) columns, each among the most missed so far
+    std::vector<Eigen::Index> chosen;  //!< (k) selected columns, in order
     Eigen::MatrixXd directions;        //!< Q (e, k), orthonormal
-    Eigen::MatrixXd upper;             //!< (k, k) upper triangle: the chosen ones are Q upper
-    Eigen::VectorXd reach;             //!< (k) the largest number that any column has in Q
-    double miss = 0.0;                 //!< by which an entry of a column is missed at most
+    Eigen::MatrixXd upper;             //!< (k, k) upper triangle R: the selected columns are Q R
+    Eigen::VectorXd reach;             //!< (k) largest coefficient of any column in Q
+    double miss = 0.0;                 //!< largest error of an entry of any column
 };
 
-//! \param columns  (e, m), three a pose: how many poses are chosen matters too
-//! \returns        a span that misses no entry of any column by more than 2e-8, or one of 600
-//!                 directions
+//! \param columns  (e, m), three per pose; columns of fewer poses are preferred
+//! \returns        a span with errors up to 2e-8, or with the maximum of 600 directions
 Span spanned(Eigen::MatrixXd columns);
 
-//! Rows of Q (e, k), ascending, about twice k, from which numbers in Q are told best: blends of Q
-//! that agree there agree everywhere (empirical interpolation; pivoted QR of Q^T, then of what the
-//! rows found leave).
+//! Interpolation points of a reduced basis Q (e, k): about 2 k rows, ascending. Combinations of Q
+//! that agree there agree everywhere (empirical interpolation; pivoted QR of Q^T, applied a second
+//! time to the remaining rows).
 std::vector<Eigen::Index> telling_rows(const Eigen::MatrixXd& directions);
 
 }  // namespace sheetmorph::surface

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/operators/followers.h"
 
-#include "sheetmorph/base/rates.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/search/picking.h"
@@ -15,7 +14,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// The triangles that a vertex may follow: none with a corner that follows itself.
+// The triangles that a vertex may follow: those without a follower.
 std::vector<int> leading_triangles(const mesh::TriangleMesh& rest, const VertexRoles& roles)
 {
     std::vector<int> leading;
@@ -65,7 +64,7 @@ void Followers::place(const mesh::TriangleMesh& rest, Points& positions,
     {
         const Vector3 arm = rest.points().row(vertex).transpose() - place.on(rest.points());
         const Vector3 log = place.on(rotation_logs);
-        // As a displacement, so that a sheet at rest stays where it is.
+        // Computed as a displacement, so that a sheet at rest stays exactly at rest.
         const Vector3 shift = place.sum(
             [&](int corner) { return Vector3(positions.row(corner) - rest.points().row(corner)); });
         positions.row(vertex) =
@@ -83,34 +82,6 @@ void Followers::place(const mesh::TriangleMesh& rest, Points& positions,
         };
         positions.row(vertex) = anchor.sum(carried).transpose();
         rotation_logs.row(vertex) = anchor.on(rotation_logs).transpose();
-    }
-}
-
-void Followers::place_rates(const mesh::TriangleMesh& rest, const Points& rotation_logs,
-                            Points& velocities, Points& log_rates) const
-{
-    for (const auto& [vertex, place] : ties_)
-    {
-        const Vector3 arm = rest.points().row(vertex).transpose() - place.on(rest.points());
-        const Vector3 log = place.on(rotation_logs), rate = place.on(log_rates);
-        const Vector3 spin = spin_of_log(log, rate);
-        velocities.row(vertex) =
-            (place.on(velocities) + spin.cross(rotation_from_log(log) * arm)).transpose();
-        log_rates.row(vertex) = rate.transpose();
-    }
-    for (const auto& [vertex, anchor] : followers_)
-    {
-        const Vector3 own = rest.points().row(vertex).transpose();
-        const auto carried = [&](int corner)
-        {
-            const Vector3 arm = own - rest.points().row(corner).transpose();
-            const Vector3 log = rotation_logs.row(corner).transpose();
-            const Vector3 spin = spin_of_log(log, log_rates.row(corner).transpose());
-            return Vector3(velocities.row(corner).transpose()
-                           + spin.cross(rotation_from_log(log) * arm));
-        };
-        velocities.row(vertex) = anchor.sum(carried).transpose();
-        log_rates.row(vertex) = anchor.on(log_rates).transpose();
     }
 }
 

@@ -7,10 +7,12 @@
 namespace sheetmorph::surface
 {
 
-//! Vertices of triangles without area keep their place relative to the nearest triangle that has no
-//! such vertex, and its rotations:
-//! p = sum_j beta_j (p_j + R_j (p_hat - p_hat_j)). Tied vertices keep their distance from their
-//! place q on another sheet: p = q + R (p_hat - q_hat), with the rotation that the logs have there.
+//! Places vertices after the solve. Vertices of degenerate triangles keep their position relative
+//! to the nearest triangle without such a vertex:
+//! p = sum_j beta_j (p_j + R_j (p_hat - p_hat_j)) .
+//! Tied vertices keep their distance from their point q on another sheet:
+//! p = q + R (p_hat - q_hat) ,
+//! with the rotation of the logs there.
 class Followers
 {
 public:
@@ -19,13 +21,9 @@ public:
     //! Fills the followers' rows of `positions` and `rotation_logs`, both (n, 3).
     void place(const mesh::TriangleMesh& rest, Points& positions, Points& rotation_logs) const;
 
-    //! The same of how they change, of a shape with these logs.
-    void place_rates(const mesh::TriangleMesh& rest, const Points& rotation_logs,
-                     Points& velocities, Points& log_rates) const;
-
     bool is_empty() const { return ties_.empty() && followers_.empty(); }
 
-    //! The vertices that they hang on, ascending: place() reads their rows.
+    //! The vertices that place() reads, ascending.
     VertexIds corners() const;
 
 private:

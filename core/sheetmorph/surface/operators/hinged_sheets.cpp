@@ -16,10 +16,11 @@ using mesh::Anchor;
 namespace
 {
 
-// Places are in line, and sheets flat, if they are this much longer than wide, or thick.
+// Points are collinear, and sheets flat, if their width or thickness relative to their length is
+// smaller.
 constexpr double in_line = 1e-3;
 
-// The squares of how long, wide and thick.
+// Squared extents: length, width, thickness.
 Vector3 extents(const Points& points)
 {
     if (points.rows() == 0)
@@ -28,11 +29,11 @@ Vector3 extents(const Points& points)
     return Eigen::JacobiSVD<Matrix3>(spread.transpose() * spread).singularValues();
 }
 
-//! Places of one sheet that keep their distances.
+//! Supported points of one sheet, which keep their distances.
 struct Held
 {
     std::vector<Anchor> places;
-    std::set<int> seams;  // vertices where it ends at another sheet
+    std::set<int> seams;  // vertices where the sheet ends at another one
 };
 
 class Sheets
@@ -79,7 +80,7 @@ private:
             }
     }
 
-    // Where it stands on no glued vertex.
+    // The sheet of an anchor; unused if its corners are on different sheets.
     int sheet_of(const Anchor& place) const
     {
         const int sheet = sheets_.label[at(place.corners[0])];
@@ -103,7 +104,7 @@ private:
 
     bool is_border(int vertex) const { return input_.is_interior[at(vertex)] == 0; }
 
-    // Vertices of both sides where both end.
+    // The border vertices on both sides of a tie.
     VertexIds seam_of(const Tie& tie) const
     {
         VertexIds found;
@@ -123,7 +124,7 @@ private:
                 held.seams.insert(vertex);
     }
 
-    // What firm bodies and sheets hold of a sheet.
+    // The points at which supported bodies and sheets support a sheet.
     Held held(int sheet) const
     {
         Held found;
@@ -148,7 +149,7 @@ private:
         return found;
     }
 
-    // Its vertices on a sheet, by body.
+    // The vertices of each body on a sheet.
     std::map<int, std::vector<Anchor>> bodies_on(int sheet) const
     {
         std::map<int, std::vector<Anchor>> found;
@@ -176,7 +177,7 @@ private:
         return size(2) <= in_line * in_line * size(0);
     }
 
-    // Whether places on one face are not in line, so that its plane is theirs.
+    // Whether points on one face are not collinear, so that they determine its plane.
     bool have_a_face(int sheet, const std::vector<Anchor>& places) const
     {
         std::set<int> corners;
@@ -201,8 +202,8 @@ private:
         return false;
     }
 
-    // Whether a side of the border lies between two of them: what joins sheets across it keeps both
-    // from turning about it.
+    // Whether a border edge connects two of the vertices. Rows across such an edge keep both sheets
+    // from tilting about it.
     bool have_a_side(int sheet, const std::set<int>& vertices) const
     {
         std::map<std::pair<int, int>, int> uses;
@@ -263,10 +264,10 @@ private:
 
     const HingedInput& input_;
     mesh::Components sheets_;
-    std::vector<char> is_firm_;  // by sheet: it cannot tilt
+    std::vector<char> is_firm_;  // by sheet: whether it cannot tilt
     std::vector<std::vector<int>> faces_;
     std::vector<VertexIds> vertices_;
-    std::vector<std::vector<const Tie*>> carried_;  // by sheet: what stands on it
+    std::vector<std::vector<const Tie*>> carried_;  // by sheet: ties that it supports
     std::map<int, const Tie*> tie_of_;              // by vertex
 };
 

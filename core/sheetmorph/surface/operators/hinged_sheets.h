@@ -6,21 +6,22 @@
 namespace sheetmorph::surface
 {
 
-//! Whether points are that much longer than wide that they hold no sheet from tilting.
+//! Whether points are collinear, so that a sheet attached to them could still tilt.
 bool are_in_line(const Points& points);
 
-//! What is asked whether it could tilt.
+//! Input of hinged_vertices().
 struct HingedInput
 {
-    const mesh::TriangleMesh& mesh;  //!< glued where sheets end at each other
+    const mesh::TriangleMesh& mesh;  //!< with glued borders where sheets end at each other
     const VertexRoles& roles;
-    const std::vector<char>& clamps;  //!< (n) vertices that hold the slope, too
+    const std::vector<char>& clamps;  //!< (n) vertices that also fix the slope
     const std::vector<char>& is_interior;
 };
 
-//! Vertices of the sheets that rigid shapes and other sheets hold in line, so that they could tilt
-//! at no cost in `natural`: by neither a face that is held whole, nor, where they are flat, by
-//! places that are not in line, nor by a seam. What hangs on such a sheet counts once that is held.
+//! Vertices of sheets that could tilt at no cost under `natural`, because rigid shapes and other
+//! sheets only support them along a line. A sheet cannot tilt if it is supported by a whole face,
+//! by a seam or, if it is flat, by points that are not collinear. A sheet supported by another one
+//! counts only after that one is supported.
 VertexIds hinged_vertices(const HingedInput& input);
 
 }  // namespace sheetmorph::surface

@@ -16,14 +16,14 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Rows so much smaller than others of the same vertex are rounding.
+// Rows this much smaller than others of the same vertex are rounding.
 constexpr double nothing = 1e-13;
 
-//! A face's area and the gradients of its three hat functions, 1/mm.
+//! A face's area (mm^2) and the gradients of its three hat functions (1/mm).
 struct FaceGradients
 {
     double area;
-    Matrix3 of_hat;  // column k: of the hat function of corner k
+    Matrix3 of_hat;  // column k: gradient of the hat function of corner k
 
     explicit FaceGradients(const mesh::LaidFaces::Corners& corners)
     {
@@ -89,8 +89,8 @@ private:
                 add_hessian(i, masses(i), corners_at[at(i)]);
     }
 
-    // The 9 entries span at most one row a neighbour, and three where the sheet is flat: as many
-    // orthogonal ones say the same, since a rotation mixes coordinates, not entries.
+    // The 9 entries span at most one row per neighbour, and three if the sheet is flat. As many
+    // orthogonal rows are equivalent, because a rotation mixes coordinates and not entries.
     void add_hessian(int vertex, double mass, const std::vector<int>& corners)
     {
         VertexIds neighbours;
@@ -201,7 +201,7 @@ private:
         }
     }
 
-    // Three rows: the gradient of a face, times its area and a factor.
+    // Adds three rows: the gradient of a face times its area and a factor.
     void add_gradient(int first, int f, double factor)
     {
         const FaceGradients& gradients = gradients_[at(f)];

@@ -14,7 +14,7 @@ numerics::SparseMatrix point_rows(const mesh::TriangleMesh& mesh,
                                   const std::vector<PointConstraint>& points,
                                   const std::vector<int>& chosen);
 
-//! (k, 3) from where each point is at rest to its target.
+//! (k, 3) displacement of each point from rest to its target, mm.
 Eigen::MatrixXd point_displacements(const mesh::TriangleMesh& mesh,
                                     const std::vector<PointConstraint>& points,
                                     const std::vector<PointTarget>& targets);

@@ -7,13 +7,13 @@
 namespace sheetmorph::surface
 {
 
-//! Numbers unknowns one after the other: vertices of one body share theirs.
+//! Numbers unknowns consecutively; the vertices of a body share one.
 class SharedUnknowns
 {
 public:
     explicit SharedUnknowns(const VertexRoles& roles);
 
-    //! The next vertex: one with an unknown of its own or one that it shares, or a known one.
+    //! Adds the next vertex: free (with its own or a shared unknown) or prescribed.
     void add(bool is_open);
 
     Unknowns& found() { return unknowns_; }

@@ -25,14 +25,14 @@ using numerics::SparseMatrix;
 namespace
 {
 
-// Where the cotangents opposite to one edge sum to less than this (a triangle with a corner of more
-// than about 168 degrees beside a good one), `natural` turns to intrinsic triangles by itself.
+// If the two cotangents opposite an edge add up to less (a corner of more than about 168 degrees
+// next to a well-shaped triangle), `natural` switches to intrinsic triangles.
 constexpr double failing_cotangents = -4.0;
 
-// Rows whose turning is worth a range of its own.
+// Fewest rows per thread.
 constexpr Eigen::Index least_turned = 1000;
 
-//! The triangles that are measured.
+//! The faces on which the operators are assembled.
 struct MeasuredFaces
 {
     mesh::LaidFaces faces;
@@ -49,7 +49,7 @@ MeasuredFaces faces_of(const TriangleMesh& mesh, const SurfaceConstraints& const
     return found;
 }
 
-// Cotangents and areas of the triangles as they are given.
+// Cotangents and areas of the given triangles.
 SurfaceOperators measured(const TriangleMesh& mesh)
 {
     SurfaceOperators operators;
@@ -79,8 +79,8 @@ SurfaceOperators measured(const mesh::LaidFaces& faces, int vertex_count)
     return operators;
 }
 
-// What a sheet asks of the vertices of others that it stands on, told of these: a row for each of
-// them, none for tied ones, so that bending goes through a seam as through an inner edge.
+// Moves the rows of tied vertices to the vertices to which they are attached. Tied vertices have no
+// rows of their own, so that bending passes through a seam as through an inner edge.
 struct OfVertices
 {
     SparseMatrix harmonic, sums;
@@ -103,7 +103,8 @@ struct OfVertices
     }
 };
 
-// L of (2.1) and its rest rows; `faces` has the triangles that the operators were measured on.
+// L of (2.1) and its rest rows. `faces` contains the triangles on which the operators were
+// assembled.
 void add_laplacian(SurfaceOperators& operators, const TriangleMesh& faces, Energy energy,
                    const VertexRoles& roles)
 {
@@ -126,7 +127,7 @@ void add_laplacian(SurfaceOperators& operators, const TriangleMesh& faces, Energ
                             : areas;
 }
 
-// Whether the points on one component hold it without help: three or more, not in line.
+// Whether the points on a component suffice to support it: three or more, not collinear.
 bool is_held_by_points(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
                        const mesh::Components& components, int component)
 {
@@ -144,7 +145,7 @@ bool is_held_by_points(const TriangleMesh& mesh, const SurfaceConstraints& const
     return held.rows() > 2 && !are_in_line(held);
 }
 
-// Where sheets that both end there stand on each other, but for glued ones, which no face has.
+// Vertices at seams where both sheets end; without glued vertices, which have no face.
 VertexIds seam_vertices(const VertexRoles& roles, const mesh::LaidFaces& faces,
                         const std::vector<char>& is_interior)
 {
@@ -166,8 +167,8 @@ VertexIds seam_vertices(const VertexRoles& roles, const mesh::LaidFaces& faces,
     return found;
 }
 
-// Vertices whose rows of L `natural` needs besides: at free edges where they keep a component or a
-// sheet from tilting, on seams of sheets that end there, which would be hinges.
+// Vertices at which `natural` also needs the rows of L: at free edges, to keep a component or a
+// sheet from tilting, and on seams of sheets that end there, which would otherwise be hinges.
 VertexIds straightened_vertices(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
                                 const VertexRoles& roles, const mesh::LaidFaces& faces)
 {
@@ -189,7 +190,8 @@ VertexIds straightened_vertices(const TriangleMesh& mesh, const SurfaceConstrain
     return vertices;
 }
 
-// The rows with tied vertices told of what they stand on; none that only tied ones had.
+// Replaces tied vertices in the rows by the vertices to which they are attached. Removes the rows
+// that contain only tied vertices.
 void stand(BendingRows& bending, const VertexRoles& roles)
 {
     if (roles.ties.empty())
@@ -220,7 +222,7 @@ void stand(BendingRows& bending, const VertexRoles& roles)
     bending.row_vertices.resize(at(count));
 }
 
-// D p_hat, each row about its own vertex, so that coordinates far from the origin lose no digits.
+// D p_hat, each row relative to its own vertex to keep precision far from the origin.
 Points rest_rows(const BendingRows& bending, const Points& points)
 {
     Points rest = Points::Zero(bending.rows.rows(), 3);
@@ -233,7 +235,7 @@ Points rest_rows(const BendingRows& bending, const Points& points)
     return rest;
 }
 
-// Some rows of L after those of `natural`.
+// Appends some rows of L to those of `natural`.
 void append_rows(BendingRows& bending, const SurfaceOperators& laplacian, const VertexIds& vertices)
 {
     std::vector<Eigen::Triplet<double>> entries;

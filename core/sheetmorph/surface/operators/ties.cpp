@@ -13,7 +13,8 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Of the mesh's size, and of one: what lies on a vertex but for rounding.
+// Relative to the mesh's size, and to a weight of 1: distance of points that coincide up to
+// rounding.
 constexpr double rounding = 1e-9;
 
 template <typename Rows>

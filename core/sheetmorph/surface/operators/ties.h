@@ -7,18 +7,18 @@
 namespace sheetmorph::surface
 {
 
-//! C (n, n) of u = C u: tied vertices by the corners that they stand on, or those by theirs; all
-//! others by themselves. The columns of tied ones are empty.
+//! C (n, n) of u = C u: replaces tied vertices by the corners to which they are attached,
+//! recursively. Columns of tied vertices are empty; other vertices are unchanged.
 numerics::SparseMatrix tie_basis(Eigen::Index vertex_count, const std::vector<Tie>& ties);
 
-//! The rows (n, k) of tied vertices, from those of the corners that they stand on.
+//! Fills the rows (n, k) of tied vertices from the rows of their corners.
 void fill_tied(const std::vector<Tie>& ties, Eigen::MatrixXd& rows);
 void fill_tied(const std::vector<Tie>& ties, Points& rows);
 
-//! Ties of borders that lie on each other, vertex on vertex: the two sheets are one there.
+//! Ties between borders that coincide vertex by vertex: the two sheets are one there.
 std::vector<Tie> glued_ties(const mesh::TriangleMesh& mesh, const std::vector<Tie>& ties);
 
-//! The mesh with the triangles of tied vertices on what they stand on.
+//! The mesh in which triangles use the anchor vertices instead of tied vertices.
 mesh::TriangleMesh glued(const mesh::TriangleMesh& mesh, const std::vector<Tie>& ties);
 
 }  // namespace sheetmorph::surface

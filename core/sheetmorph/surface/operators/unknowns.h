@@ -8,18 +8,18 @@
 namespace sheetmorph::surface
 {
 
-//! Which unknown each vertex takes its value from: one a free vertex, one a rigid body.
+//! The unknown of each vertex: one per free vertex, one per rigid body.
 struct Unknowns
 {
     static constexpr int known = -1;
 
-    std::vector<int> of_vertex;  //!< (n) 0..count-1, or known
+    std::vector<int> of_vertex;  //!< (n) 0..count-1, or known (prescribed)
     int count = 0;
 
     //! S (n, count) of u = S y + offset.
     numerics::SparseMatrix basis() const;
 
-    //! S^T rows: those of one unknown added up.
+    //! S^T rows: sums of the rows with the same unknown.
     //! \param rows  (n, k)
     //! \returns     (count, k)
     Eigen::MatrixXd sums(const Eigen::MatrixXd& rows) const;

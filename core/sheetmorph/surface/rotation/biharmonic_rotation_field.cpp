@@ -14,7 +14,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// One or two do on clean meshes.
+// Clean meshes need one or two.
 constexpr int most_refinements = 8;
 
 class BiharmonicRotationField : public RotationField
@@ -68,7 +68,7 @@ public:
     Points harmonic(const KnownRotations& known) const override { return spread(known).logs; }
 
 private:
-    // Components on which at least one rotation is given; the others keep r = 0.
+    // Components with at least one given rotation; the others keep r = 0.
     std::vector<char> reached_components(const RotationFieldInput& input) const
     {
         const std::vector<int>& label = input.roles.components.label;

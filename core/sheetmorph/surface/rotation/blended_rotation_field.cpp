@@ -14,18 +14,18 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Answers to the single vertices are kept where they have at most so many entries: these are read
-// in less time than the factor.
+// Limit on the entries of stored responses to single vertices. Up to this size, reading them is
+// faster than back-substitution.
 constexpr Eigen::Index most_kept = 100000;
 
-// The smoothed share of such a weight, 3e-16, is rounding.
+// Smoothstep reduces this weight to 3e-16, which is rounding.
 constexpr double least_weight = 1e-8;
 
-// Every rotation that is known gets a number; a vertex belongs to one source or to none.
+// Numbers all prescribed rotations. A vertex belongs to one source or to none.
 struct Sources
 {
     static constexpr int none = -1;
-    static constexpr int rest = 0;  // fixed regions, and components that nothing turns
+    static constexpr int rest = 0;  // fixed regions, and components without a given rotation
 
     std::vector<int> of_vertex;
     int count = 1;
@@ -55,7 +55,7 @@ int source_of_body(const Sources& sources, const Body& body, int index)
 
 int source_of_vertex(const Sources& sources, const VertexRoles& roles, int vertex);
 
-// Between regions that turn differently the field decides.
+// Between regions with different rotations, the field determines the rotation.
 int source_of_clamp(const Sources& sources, const VertexRoles& roles, const Clamp& clamp)
 {
     const int source = source_of_vertex(sources, roles, clamp.carriers.front().vertex);
@@ -88,7 +88,8 @@ int source_of_vertex(const Sources& sources, const VertexRoles& roles, int verte
     return Sources::none;
 }
 
-// A turned point turns the corners of its triangle, and a feature there as a whole.
+// A point with a prescribed rotation applies it to the corners of its triangle, and to a feature
+// there as a whole.
 void add_turned_points(Sources& sources, const RotationFieldInput& input)
 {
     std::vector<int> of_body(input.roles.bodies.size(), Sources::none);
@@ -112,7 +113,7 @@ void add_turned_points(Sources& sources, const RotationFieldInput& input)
                 sources.of_vertex[at(vertex)] = of_body[body];
 }
 
-// Components without any source keep their orientation.
+// Components without a source keep their orientation.
 void settle_unturned_components(Sources& sources, const VertexRoles& roles)
 {
     std::vector<char> has_source(at(roles.components.count), 0);
@@ -260,7 +261,7 @@ private:
             numerics::Weights(-factor_.solve(pull_of(sheet(), each.data(), count))));
     }
 
-    // Harmonic values of the unknowns for given ones (n, 3) of the single vertices.
+    // Harmonic values of the unknowns for given values (n, 3) of the single vertices.
     Points harmonic_values(const Points& given) const
     {
         if (unknowns_.count == 0)
@@ -270,7 +271,8 @@ private:
         return solved_for(given, single_);
     }
 
-    // (unknowns, 3) harmonic values for those (n, 3) of some known vertices; others have none.
+    // (unknowns, 3) harmonic values for given values (n, 3) of some prescribed vertices; the others
+    // are 0.
     Points solved_for(const Points& given, const VertexIds& vertices) const
     {
         Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(unknowns_.count, 3);
@@ -282,8 +284,8 @@ private:
         return -factor_.solve(pull);
     }
 
-    // Rotations differ from vertex to vertex inside a propagated region; what exceeds the
-    // region's mean fades out harmonically.
+    // Rotations vary within a propagated region. Their deviation from the region's mean decays
+    // harmonically.
     void add_harmonic_excess(Points& logs, const Points& excess) const
     {
         const Points of_unknown = harmonic_values(excess);
@@ -299,7 +301,7 @@ private:
     Unknowns unknowns_;
     std::shared_ptr<const numerics::SparseMatrix> harmonic_;  // K (n, n)
     numerics::SparseCholesky factor_;
-    std::vector<int> used_;  // sources that have a vertex
+    std::vector<int> used_;  // sources with vertices
     SmoothWeights weights_;  // (n, used sources)
     std::vector<Tie> ties_;
     VertexIds single_;  // in propagated regions: each has its own rotation

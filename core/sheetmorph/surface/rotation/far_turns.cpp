@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/rotation/far_turns.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
@@ -17,10 +18,9 @@ namespace sheetmorph::surface
 namespace
 {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
-
-// Angles between two given rotations of a component. Below the first `natural` is what it always
-// was: a flat strip has lost a seventh of its width there. Above the second the laid shape decides.
+// Angle between two given rotations of a component. Up to the first, `natural` is unchanged; a flat
+// strip has then lost a seventh of its width. From the second on, only the shape of the field
+// counts.
 constexpr double first_far = 60.0 * degree;
 constexpr double wholly_far = 120.0 * degree;
 
@@ -30,14 +30,14 @@ double share_of(double angle)
     return t * t * (3.0 - 2.0 * t);
 }
 
-// Of the longest of some logs: no two of them differ by a far turn.
+// Whether no two of these logs can differ by a large rotation.
 bool is_small(double longest)
 {
     return 4.0 * longest <= first_far;
 }
 
-// Every connected part of the matrix has one vertex that stays: the shape is wanted but for a
-// shift.
+// One vertex of every connected component is prescribed, because the shape is only unique up to a
+// translation.
 Unknowns all_but_one(const numerics::SparseMatrix& harmonic)
 {
     const auto count = static_cast<int>(harmonic.rows());
@@ -52,7 +52,7 @@ Unknowns all_but_one(const numerics::SparseMatrix& harmonic)
     return unknowns;
 }
 
-// The log that a source (FarTurns::Source) has among the given ones.
+// The log of a source (FarTurns::Source).
 template <typename Source>
 Eigen::RowVector3d log_of(const Source& source, const KnownRotations& known)
 {
@@ -121,7 +121,7 @@ void FarTurns::find_sources()
     sources_.assign(found.begin(), found.end());
 }
 
-// By component; empty if nothing turns far.
+// By component; empty if no rotation is large.
 std::vector<double> FarTurns::shares(const GivenRotations& given) const
 {
     std::vector<Eigen::RowVector3d> logs;
@@ -165,7 +165,7 @@ bool FarTurns::are_there(const SurfaceTargets& targets, const BodyMotions& bodie
                    .empty();
 }
 
-// Displacements d (n, 3) of the shape that the field lays.
+// Displacements d (n, 3) of the shape that the field determines.
 Points FarTurns::laid(const Points& logs, const Points& tilts) const
 {
     std::call_once(is_factorised_, [this] { factor_.emplace(input_.operators); });

@@ -11,36 +11,37 @@
 namespace sheetmorph::surface
 {
 
-//! What a rotation field becomes where the sheet turns far.
+//! A rotation field with large rotations.
 struct FarField
 {
     Points logs;  //!< (n, 3) of the field
-    Points rows;  //!< (r, 3) what rows gain; no rows: nothing turns far
+    Points rows;  //!< (r, 3) addition to the rows; no rows: rotations are not large
 };
 
-//! The curvature that far turns give the sheet under `natural`. Its rows see rotations only where
-//! the sheet is curved at rest, so a flat sheet would forget whole turns. There the field becomes
-//! the harmonic one, which spreads a turn evenly. It lays a shape q = p_hat + d, and the sheet gets
-//! the rows of that shape:
-//!   min_q sum_ij k_ij |(q_i - q_j) - R_ij (p_hat_i - p_hat_j)|^2,  T = R D p_hat + b (D q - R D
-//!   p_hat),
-//! with the weights k of the rotation field and R_ij half-way between the ends of an edge. The
-//! share b grows from 0 to 1 while the rotations given to one component differ by 60 to 120
-//! degrees. One rigid motion of everything gains nothing, and the share has no kink.
+//! The curvature that large rotations give the sheet under `natural`. Rows of `natural` depend on
+//! rotations only where the sheet is curved at rest, so a flat sheet would ignore full turns. For
+//! large rotations the field becomes the harmonic one, which distributes a rotation evenly. It
+//! determines a shape q = p_hat + d, and the sheet gets the rows of that shape:
+//!   min_q sum_ij k_ij |(q_i - q_j) - R_ij (p_hat_i - p_hat_j)|^2 ,
+//!   T = R D p_hat + b (D q - R D p_hat) .
+//! Here k are the edge weights of the rotation field, and R_ij is half-way between the ends of an
+//! edge. The share b grows smoothly from 0 to 1 while the given rotations of one component differ
+//! by 60 to 120 degrees. A rigid motion of everything adds nothing.
 class FarTurns
 {
 public:
-    //! The first far turn factorises; input and field outlive the object.
+    //! The first large rotation triggers the factorisation. Input and field must outlive the
+    //! object.
     FarTurns(const RotationFieldInput& input, const RotationField& field);
 
     //! \param logs, tilts  (n, 3) of the rotation field
     FarField bent(const GivenRotations& given, Points logs, const Points& tilts) const;
 
-    //! Whether bent() gives rows; a live frame queries it.
+    //! Whether bent() adds rows; for live frames.
     bool are_there(const SurfaceTargets& targets, const BodyMotions& bodies) const;
 
 private:
-    //! A given rotation as one component sees it.
+    //! A given rotation and the component on which it acts.
     struct Source
     {
         enum class Kind : char
@@ -71,7 +72,7 @@ private:
 
     RotationFieldInput input_;
     const RotationField& field_;
-    std::vector<Source> sources_;  // by component
+    std::vector<Source> sources_;  // ordered by component
     mutable std::once_flag is_factorised_;
     mutable std::optional<Factor> factor_;
 };

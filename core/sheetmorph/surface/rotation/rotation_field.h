@@ -14,11 +14,11 @@ namespace sheetmorph::surface
 struct SpreadRotations
 {
     Points logs;                   //!< (n, 3)
-    Convergence convergence = {};  //!< where they were solved for in rounds
+    Convergence convergence = {};  //!< if the solution is iterative
 };
 
-//! Spreads known rotations over the sheet (2.7 to 2.9); interpolated features get one rotation
-//! each. Where nothing on a component is turned or held, its rotation is none.
+//! Interpolates prescribed rotations over the sheet (2.7 to 2.9). An interpolated feature gets one
+//! rotation. A component without prescribed rotations does not rotate.
 class RotationField
 {
 public:
@@ -26,12 +26,12 @@ public:
 
     virtual SpreadRotations spread(const KnownRotations& known) const = 0;
 
-    //! (n, 3) the same rotations spread evenly, without regard to slopes where they are known: the
-    //! harmonic interpolant (2.7) itself.
+    //! (n, 3) the harmonic interpolant (2.7) of the same rotations, without zero slopes at
+    //! prescribed vertices.
     virtual Points harmonic(const KnownRotations& known) const = 0;
 };
 
-//! What both kinds of field are made from; only read during construction.
+//! Input of both kinds of field; only read during construction.
 struct RotationFieldInput
 {
     const mesh::TriangleMesh& mesh;
@@ -40,21 +40,19 @@ struct RotationFieldInput
     const SurfaceOperators& operators;
 };
 
-//! `paper`: (2.9) as printed: unweighted, all rows, biharmonic, one unknown a feature.
-//! \param earlier  of the same operators under other constraints: what does not change is taken
-//! over
+//! `paper`: (2.9) as printed: unweighted, all rows, biharmonic, one unknown per feature.
+//! \param earlier  a field of the same operators under other constraints; reuses all unchanged data
 std::unique_ptr<RotationField> biharmonic_rotation_field(const RotationFieldInput& input,
                                                          const RotationField* earlier = nullptr);
 
-//! `neumann`: harmonic weights of what is known (2.7), passed through 3 w^2 - 2 w^3, renormalised:
-//! between the known rotations everywhere, flat where they are given, no overshoot.
-//! \param earlier  of the same operators under other constraints: what does not change is taken
-//! over
+//! `neumann`: harmonic weights of the prescribed rotations (2.7), mapped by 3 w^2 - 2 w^3 and
+//! renormalised. The result has zero slope at prescribed vertices and no overshoot.
+//! \param earlier  a field of the same operators under other constraints; reuses all unchanged data
 std::unique_ptr<RotationField> blended_rotation_field(const RotationFieldInput& input,
                                                       const RotationField* earlier = nullptr);
 
-//! Whether a vertex's rotation comes with the pose: fixed, handle, propagated, or on a body whose
-//! rotation does.
+//! Whether the pose determines a vertex's rotation: fixed, handle, propagated, or on a body with a
+//! prescribed rotation.
 bool is_rotation_known(const VertexRoles& roles, int vertex);
 
 }  // namespace sheetmorph::surface

@@ -13,7 +13,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-constexpr std::size_t together = 48;  // groups whose weights are solved at once
+constexpr std::size_t together = 48;  // groups per substitution
 constexpr Eigen::Index least_weighted = 2048;
 constexpr int none = -1;
 
@@ -32,12 +32,12 @@ std::vector<int> owners(Eigen::Index vertex_count, const std::vector<VertexIds>&
     return owner;
 }
 
-//! The columns of the groups, one after the other, as they are before they sum to one.
+//! The columns of the groups before normalisation.
 struct Columns
 {
     numerics::SparseMatrix weights;
-    Eigen::VectorXd given;  // by vertex: all weights, not yet smoothed
-    Eigen::VectorXd sums;   // of the smoothed ones
+    Eigen::VectorXd given;  // by vertex: sum of the weights before smoothing
+    Eigen::VectorXd sums;   // by vertex: sum of the smoothed weights
     WeightCount count;
 
     Columns(Eigen::Index vertices, Eigen::Index groups, const WeightCount& how)

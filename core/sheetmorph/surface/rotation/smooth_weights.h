@@ -8,8 +8,8 @@
 namespace sheetmorph::surface
 {
 
-//! A sheet with some groups of vertices; the other vertices are unknown, or belong to no group and
-//! have no weight.
+//! A sheet with groups of vertices. Other vertices are unknown, or belong to no group and have no
+//! weight.
 struct WeightedSheet
 {
     const numerics::SparseMatrix& harmonic;  //!< K (n, n)
@@ -17,23 +17,23 @@ struct WeightedSheet
     const numerics::SparseCholesky& factor;  //!< of K merged by the unknowns
 };
 
-//! How a harmonic weight counts.
+//! Options of the weights.
 struct WeightCount
 {
-    double faded = 0.0;    //!< a weight of so much counts as 0, and 1 still as 1
+    double faded = 0.0;    //!< weights up to this value become 0; a weight of 1 stays 1
     double least = 0.0;    //!< smaller weights are not stored
-    bool has_rest = true;  //!< what the weights lack of 1 belongs to somebody else, and counts too
+    bool has_rest = true;  //!< the remainder to 1 belongs to another source
 };
 
-//! Weights of groups at every vertex. A harmonic weight w is 1 on its group and 0 on all others;
-//! smoothstep 3 w^2 - 2 w^3 is applied, and the sum normalised. Only weights above
-//! WeightCount::least are stored, so a vertex has the weights of nearby groups alone.
+//! Weights of groups at every vertex. A harmonic weight w is 1 on its group and 0 on all others.
+//! Smoothstep 3 w^2 - 2 w^3 is applied, and the sum is normalised. Only weights above
+//! WeightCount::least are stored, so a vertex only has the weights of nearby groups.
 class SmoothWeights
 {
 public:
     using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-    //! Weights of no groups.
+    //! Without groups.
     explicit SmoothWeights(Eigen::Index vertices) : by_vertex_(vertices, 0) {}
 
     //! Weights are within [0, 1]. Their sum at a vertex is 1, or less if WeightCount::has_rest.
@@ -51,17 +51,17 @@ public:
     //! The weights of a vertex, by ascending group: col() and value().
     Matrix::InnerIterator at_vertex(Eigen::Index vertex) const { return {by_vertex_, vertex}; }
 
-    //! The sum of the weights of a vertex.
     double sum(Eigen::Index vertex) const;
 
-    //! (n, 3) weights * values. \param values  (groups, 3)
+    //! (n, 3) weights * values.
+    //! \param values  (groups, 3)
     Points times(const Points& values) const;
 
 private:
     Matrix by_vertex_;  // (n, groups)
 };
 
-//! (unknowns, count): what groups of value 1 pull on the unknowns around them.
+//! (unknowns, count): right-hand sides for groups with the value 1.
 Eigen::MatrixXd pull_of(const WeightedSheet& sheet, const VertexIds* groups, Eigen::Index count);
 
 }  // namespace sheetmorph::surface

@@ -14,9 +14,9 @@ struct Deformation
 {
     Points positions;                   //!< (n, 3) mm
     Points rotation_logs;               //!< (n, 3) radians (2.6)
-    std::vector<RigidMotion> features;  //!< of every form feature, about its rest centroid
-    Convergence convergence = {};       //!< of what was solved in rounds
-    bool is_preview = false;            //!< live, and an exact answer is refined besides
+    std::vector<RigidMotion> features;  //!< by form feature, about its rest centroid
+    Convergence convergence = {};       //!< of the iterative parts of the solution
+    bool is_preview = false;            //!< live frame of an energy whose exact result differs
 };
 
 }  // namespace sheetmorph::surface

@@ -10,7 +10,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Motions whose rotations are worked out once for many points.
+// Motions with precomputed rotation matrices, for many points.
 struct Movers
 {
     explicit Movers(const std::vector<RigidMotion>& given) : motions(given)
@@ -32,7 +32,7 @@ struct Movers
     std::vector<Matrix3> rotations;
 };
 
-// Calls place(vertex, position) for every vertex whose position the pose knows.
+// Calls place(vertex, position) for every vertex with a prescribed position.
 template <typename Place>
 void place_known(const PlacementInput& part, const SurfaceTargets& targets,
                  const BodyMotions& bodies, Place place)

@@ -7,15 +7,18 @@
 namespace sheetmorph::surface
 {
 
-//! Offset b (n, 3) of u = S y + b: known vertices wholly, open bodies their turn about the centre.
+//! Offset b (n, 3) of u = S y + b: full displacements of prescribed vertices; for bodies with an
+//! unknown translation, the rotation about their centre.
 Eigen::MatrixXd known_displacements(const PlacementInput& part, const SurfaceTargets& targets,
                                     const BodyMotions& bodies);
 
-//! Reads the translations of open bodies from the solved displacements (n, 3).
+//! Reads the translations of bodies from the solved displacements (n, 3), where the sheet
+//! determines them.
 void complete_bodies(const PlacementInput& part, const Eigen::MatrixXd& displacements,
                      BodyMotions& bodies);
 
-//! (n, 3) positions: free vertices from the displacements, features as (2.4), the known as told.
+//! (n, 3) positions: free vertices from the displacements, features by (2.4), prescribed vertices
+//! exactly at their targets.
 Points placed_positions(const PlacementInput& part, const SurfaceTargets& targets,
                         const BodyMotions& bodies, const Eigen::MatrixXd& displacements);
 

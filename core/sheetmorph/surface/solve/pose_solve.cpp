@@ -20,12 +20,12 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Clean meshes settle after one or two; a few needles in the mesh need more.
+// Clean meshes converge after one or two; meshes with a few needles need more.
 constexpr int most_refinements = 8;
 
-// Of form features that the energy turns, radians: what is settled, what settles with the one step
-// that is taken, what counts as found, and how often they turn on. A step of so little leaves less
-// than its square, and than its share of what the responses miss: rounding.
+// Limits for the final correction of the rotating bodies, in radians: already converged, converged
+// after one more step, acceptable at the end, and number of steps. The error after such a small
+// step is below its square and below the error of the responses.
 constexpr double settled_turn = 1e-13;
 constexpr double small_turn = 1e-8;
 constexpr double found_turn = 1e-9;
@@ -52,7 +52,7 @@ void require_met_points(const PreparedSurface& part, const Eigen::MatrixXd& disp
                              "lie on", "move a target or remove a point");
 }
 
-//! One pose on its way to its solution.
+//! Intermediate state of one pose.
 struct Solving
 {
     const SurfaceTargets& targets;
@@ -64,7 +64,7 @@ struct Solving
 
     int refinements() const { return exactness == Exactness::exact ? most_refinements : 0; }
 
-    // A start that has not settled is no fault of the steel sheet that settles from it.
+    // Does not report the linear solution of a steel sheet, because the shell iterates from there.
     void join_linear(const PreparedSurface& part, const Convergence& found)
     {
         if (!part.steel || exactness != Exactness::exact)
@@ -72,7 +72,7 @@ struct Solving
     }
 };
 
-//! What the energy turns, and where bodies and field were before it did.
+//! The rotating bodies, and the bodies and the field before their rotation.
 struct Turning
 {
     const BodyMotions& start;
@@ -80,7 +80,7 @@ struct Turning
     Turned turned;
 };
 
-// Bodies and field as the joints are.
+// Copies the states of the joints to bodies and field.
 void take_turns(const PreparedSurface& part, const Turning& turning, Solving& pose)
 {
     const std::vector<BodyState>& states = turning.turned.joints.states();
@@ -99,9 +99,9 @@ void ask_turned(const PreparedSurface& part, const Turning& turning, Solving& po
     ask(part, turns, {pose.targets, turning.field, pose.bodies}, pose.asked);
 }
 
-// How far the bodies move on, radians or of the size, when the slope at the answer is taken for
-// what the responses tell: these know the energy to rounding of what it would be if nothing
-// yielded.
+// Corrects the joints by the difference between the slope of the solved sheet and the slope that
+// the responses predict. The responses are accurate to rounding of a rigid sheet's energy only.
+// \returns the change, radians or relative to the size
 double turn_on(const PreparedSurface& part, const numerics::ConstrainedMinimiser::Solution& found,
                const numerics::ConstrainedMinimiser::Targets& asked, Turned& turned)
 {
@@ -120,7 +120,7 @@ double turn_on(const PreparedSurface& part, const numerics::ConstrainedMinimiser
     return change.cwiseAbs().maxCoeff();
 }
 
-// Lets the bodies move on until nothing on the answer moves them.
+// Repeats the correction until the rotating bodies no longer move.
 void settle(const PreparedSurface& part, Turning& turning, Solving& pose,
             numerics::ConstrainedMinimiser::Solution& found)
 {
@@ -146,7 +146,7 @@ void settle(const PreparedSurface& part, Turning& turning, Solving& pose,
     pose.join_linear(part, settled);
 }
 
-// Lets the energy turn what it may turn; a live frame may know the sheet's displacements already.
+// Minimises over the rotating bodies. A live frame can combine precomputed displacements.
 Eigen::MatrixXd turned_displacements(const PreparedSurface& part, Solving& pose)
 {
     const BodyMotions start = pose.bodies;
@@ -181,7 +181,7 @@ Eigen::MatrixXd solved_displacements(const PreparedSurface& part, Solving& pose)
     return std::move(found.u);
 }
 
-// From the linear answer to that of the steel sheet.
+// Continues from the linear result to that of the steel sheet.
 void stiffen(const PreparedSurface& part, Solving& pose, Deformation& result,
              const Progress& progress)
 {

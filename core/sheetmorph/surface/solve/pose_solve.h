@@ -7,8 +7,8 @@
 namespace sheetmorph::surface
 {
 
-//! The interactive phase: one part in one pose (2.9, 2.10), its features where the energy, the
-//! field or the pose wants them (mathematics.md, section 4).
+//! Solves one part in one pose (interactive phase; 2.9, 2.10). The energy, the field or the pose
+//! determine its features (mathematics.md, section 4).
 Deformation solve_pose(const PreparedSurface& part, const SurfaceTargets& targets,
                        Exactness exactness, const Progress& progress = {});
 

@@ -15,7 +15,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Vertices whose turning is worth a range of its own.
+// Fewest vertices per thread.
 constexpr Eigen::Index least_turned = 1000;
 
 }  // namespace
@@ -54,7 +54,6 @@ Eigen::VectorXd shares_of_field(const PreparedSurface& part)
 std::vector<Matrix3> turns_of(const PreparedSurface& part, const Field& field,
                               const std::vector<BodyState>& turns)
 {
-    // What of the sheet's turn at a vertex is the turners'.
     const SmoothWeights none(part.rest.vertex_count());
     const SmoothWeights& weights = part.responses ? part.responses->weights() : none;
     std::vector<Matrix3> turn(at(part.rest.vertex_count()));

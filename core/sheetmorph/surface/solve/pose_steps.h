@@ -11,21 +11,21 @@ struct Field
 {
     Points logs;   //!< (n, 3)
     Points tilts;  //!< (n, 3)
-    Points far;    //!< (r, 3) what rows gain where the sheet turns far (FarTurns); or no rows
+    Points far;    //!< (r, 3) addition to the rows for large rotations (FarTurns); or no rows
     Convergence convergence = {};
 };
 
 Field field_of(const PreparedSurface& part, const GivenRotations& given);
 
-//! By vertex: the share of its turn that is the field's, not that of turners.
+//! By vertex: the field's share of the sheet's rotation; the rest belongs to rotating bodies.
 Eigen::VectorXd shares_of_field(const PreparedSurface& part);
 
-//! R - I at every vertex: the field, and of what turners own of it the rotation in `turns`, or none
-//! of it where `turns` is empty.
+//! R - I at every vertex: the field's share, plus that of the rotating bodies with the rotations
+//! `turns`. If `turns` is empty, the bodies contribute nothing.
 std::vector<Matrix3> turns_of(const PreparedSurface& part, const Field& field,
                               const std::vector<BodyState>& turns);
 
-//! A pose, its field, and where bodies are in it.
+//! A pose, its field, and the motions of its bodies.
 struct Told
 {
     const SurfaceTargets& targets;
@@ -33,34 +33,34 @@ struct Told
     const BodyMotions& bodies;
 };
 
-//! Asks the sheet for rest rows that turn like that, and for what moves as it is told.
+//! Fills in the targets of the sheet: rotated rest rows and prescribed displacements.
 //! \param change  turns_of()
 void ask(const PreparedSurface& part, const std::vector<Matrix3>& change, const Told& told,
          numerics::ConstrainedMinimiser::Targets& asked);
 
-//! What decides how the energy turns features in one pose; outlives the answer.
+//! Input of turned_features(); must outlive the result.
 struct ToTurn
 {
     const SurfaceTargets& targets;
-    const BodyMotions& bodies;  //!< known ones, the others turned as the field has them
+    const BodyMotions& bodies;  //!< prescribed motions; other bodies have the rotation of the field
     const Field& field;
-    int refinements = 1;     //!< of the base
-    double precision = 0.0;  //!< minimise()
+    int refinements = 1;     //!< for the base solution
+    double precision = 0.0;  //!< see minimise()
 };
 
-//! What the energy turns, at its minimum.
+//! The rotating bodies at the minimum of the energy.
 struct Turned
 {
-    numerics::ConstrainedMinimiser::Solution base;  //!< with every turner unmoved
-    Eigen::MatrixXd slope;                          //!< (c, 3) that the sheet alone has there
+    numerics::ConstrainedMinimiser::Solution base;  //!< with all rotating bodies unmoved
+    Eigen::MatrixXd slope;  //!< (c, 3) slope of the sheet alone at the base solution
     ReducedEnergy energy;
-    bool is_held = false;  //!< a feature is held at the field's rotation (hold_far_turned())
+    bool is_held = false;  //!< whether a feature is constrained (hold_far_turned())
     Joints joints;
     Convergence convergence;
 };
 
-//! Lets the energy turn what it may turn.
-//! \param asked  gets what was asked for the base; its constraints are there already
+//! Minimises the energy over the rotating bodies.
+//! \param asked  filled with the targets of the base solution; its constraints must be set
 Turned turned_features(const PreparedSurface& part, const ToTurn& pose,
                        numerics::ConstrainedMinimiser::Targets& asked);
 

@@ -12,7 +12,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Free vertices have an unknown each, bodies whose translation is open share one.
+// One unknown per free vertex, and one per body whose translation depends on the sheet.
 Unknowns position_unknowns(const VertexRoles& roles)
 {
     SharedUnknowns unknowns(roles);
@@ -31,7 +31,7 @@ std::vector<int> all_of(std::size_t count)
     return ids;
 }
 
-// Points that alone hold a component: the energy does not see where it is.
+// Points that alone support a component; the energy does not determine its position.
 std::vector<int> supporting_points(const mesh::TriangleMesh& rest, const VertexRoles& roles,
                                    const SurfaceConstraints& constraints)
 {
@@ -76,7 +76,7 @@ VertexRoles reported_roles(const mesh::TriangleMesh& rest, const SurfaceConstrai
     return assign_roles(rest, constraints);
 }
 
-// The operators know the edges of the sheet, and so what known vertices clamp.
+// Clamps neighbours after the operators are assembled, because they contain the edges of the sheet.
 std::shared_ptr<const SurfaceOperators> reported_operators(const mesh::TriangleMesh& rest,
                                                            const SurfaceConstraints& constraints,
                                                            VertexRoles& roles,
@@ -90,8 +90,8 @@ std::shared_ptr<const SurfaceOperators> reported_operators(const mesh::TriangleM
     return operators;
 }
 
-// An earlier state of the part whose operators are still right: those of `natural` depend on what
-// is held, those of ties on what decides their vertices.
+// Returns the earlier state of the part if its operators are still valid. Operators of `natural`
+// depend on the prescribed regions. Operators with ties depend on the roles of their vertices.
 const PreparedSurface* with_same_operators(const PreparedSurface* earlier,
                                            const mesh::TriangleMesh& rest,
                                            const SurfaceConstraints& constraints)

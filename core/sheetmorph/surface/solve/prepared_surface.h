@@ -12,12 +12,12 @@
 namespace sheetmorph::surface
 {
 
-//! Everything about one part that no pose changes. Its members refer to each other, so it stays
-//! where it is made.
+//! All data of one part that are independent of the pose. Members refer to each other, so the
+//! object cannot move.
 struct PreparedSurface
 {
-    //! \param earlier  an earlier state of a part: if the mesh is the same, what the constraints do
-    //!                 not change is taken over
+    //! \param earlier  an earlier state of the part; with the same mesh, reuses all data that the
+    //!                 constraints do not change
     PreparedSurface(const mesh::TriangleMesh& rest_mesh, const SurfaceConstraints& given,
                     const Progress& progress, const PreparedSurface* earlier);
     PreparedSurface(const PreparedSurface&) = delete;
@@ -29,14 +29,14 @@ struct PreparedSurface
     SurfaceConstraints constraints;
     VertexRoles roles;
     FeatureShapes shapes;
-    std::shared_ptr<const SurfaceOperators> shared_operators;  //!< with other states of the part
+    std::shared_ptr<const SurfaceOperators> shared_operators;  //!< shared with other states
     const SurfaceOperators& operators;
     Unknowns unknowns;
     std::unique_ptr<RotationField> field;
-    std::unique_ptr<const FarTurns> far_turns;  //!< of `natural` alone
+    std::unique_ptr<const FarTurns> far_turns;  //!< only for `natural`
     numerics::ConstrainedMinimiser minimiser;
-    std::unique_ptr<FeatureResponses> responses;  //!< none where the energy turns nothing
-    std::unique_ptr<SteelAnswer> steel;           //!< none but for `steel` and refined parts
+    std::unique_ptr<FeatureResponses> responses;  //!< nullptr without rotating bodies
+    std::unique_ptr<SteelAnswer> steel;           //!< only for `steel` and refined parts
     SheetGrowth growth;
     Followers followers;
 

@@ -17,7 +17,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Each halves what is unsure: 6e-8 of the way is left, and the size that is told has been tried.
+// Bisection to 6e-8 of the interval. The reported size was verified.
 constexpr int halvings = 24;
 
 Vector3 corner(const Points& points, const Triangles& triangles, int triangle, int k)
@@ -40,7 +40,7 @@ Vector3 middle(const mesh::TriangleMesh& mesh, int triangle)
            / 3.0;
 }
 
-// Those of the first list that are not in the second; both rise.
+// The elements of the first list that are not in the second; both ascending.
 std::vector<int> without(const std::vector<int>& list, const std::vector<int>& taken)
 {
     std::vector<int> left;
@@ -78,7 +78,7 @@ std::string rounded(double value)
     return text.str();
 }
 
-//! One feature that asks for too much.
+//! A feature with a size that is not possible.
 struct Excess
 {
     const PreparedSurface& part;
@@ -87,7 +87,7 @@ struct Excess
     std::size_t feature;
 };
 
-// The triangles that sizes turn over.
+// The triangles that sizes invert.
 std::vector<int> overturned_by(const PreparedSurface& part, const SizeChanges& sizes,
                                const Deformation& unsized)
 {
@@ -110,15 +110,16 @@ bool is_reached(const Excess& excess, double size)
     return overturned_at(excess, size).empty();
 }
 
-//! The size nearest to the wanted one, mm, if any can be reached, and the triangles that turn over
-//! just beyond it.
+//! The possible size nearest to the requested one, mm, if there is any, and the triangles that are
+//! inverted just beyond it.
 struct Limit
 {
     std::optional<double> size;
     std::vector<int> overturned;
 };
 
-// Between the size at rest, if that can be reached, and the wanted one; rounded towards rest.
+// Bisects between the size at rest and the requested one, if the size at rest is possible; rounds
+// the result towards rest.
 Limit limit(const Excess& excess)
 {
     double reached = excess.part.shapes[excess.feature]->size;
@@ -137,14 +138,15 @@ Limit limit(const Excess& excess)
             overturned_at(excess, refused)};
 }
 
-// Whether one of the vertices is among the corners.
+// Whether a vertex is among the corners.
 bool touches(const std::set<int>& corners, const VertexIds& vertices)
 {
     return std::any_of(vertices.begin(), vertices.end(),
                        [&](int vertex) { return corners.count(vertex) > 0; });
 }
 
-// What holds corners of the triangles that turn over: ": fixed region 'a' holds the sheet there".
+// Names the regions and features at corners of inverted triangles: ": fixed region 'a' holds the
+// sheet around it".
 std::string holders(const PreparedSurface& part, std::size_t feature, const std::vector<int>& over)
 {
     std::set<int> corners;

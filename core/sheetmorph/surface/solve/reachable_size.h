@@ -7,15 +7,14 @@
 namespace sheetmorph::surface
 {
 
-//! Triangles that a deformation turned over: their normal is against the one the sheet's rotation
-//! there gives them.
+//! Triangles that a deformation inverted: their normal points against the rest normal rotated by
+//! the sheet's rotation.
 std::vector<int> overturned_triangles(const mesh::TriangleMesh& rest,
                                       const Deformation& deformation);
 
-//! Refuses sizes that turn triangles over which stand without them.
+//! Refuses sizes that invert triangles which are not inverted without them.
 //! \param unsized  the pose without its sizes
-//! \throws InvalidInput naming the feature, triangles and the size nearest to the wanted one that
-//! can be reached
+//! \throws InvalidInput naming the feature, the triangles and the nearest possible size
 void require_reachable_sizes(const PreparedSurface& part, const SizeChanges& sizes,
                              const Deformation& unsized);
 

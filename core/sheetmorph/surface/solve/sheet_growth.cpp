@@ -14,9 +14,9 @@ namespace sheetmorph::surface
 namespace
 {
 
-constexpr double nearest = 1e-9;  // mm, keeps a distance from being zero
+constexpr double nearest = 1e-9;  // mm, avoids a division by zero
 
-// What no size moves: all that is known or tied, borders, and the triangles of points.
+// Vertices that no size moves: all that are not free, borders, and the triangles of points.
 std::vector<char> held_vertices(const RotationFieldInput& input)
 {
     std::vector<char> is_held(at(input.mesh.vertex_count()), 0);
@@ -35,8 +35,9 @@ std::vector<char> held_vertices(const RotationFieldInput& input)
     return is_held;
 }
 
-// The edge weights, heavier near resizable features as 1/distance: then a rim in a round sheet
-// takes room evenly up to the border, where plain harmonic functions would crowd it at the rim.
+// Edge weights, larger near resizable features as 1/distance. A rim in a round sheet then displaces
+// the sheet evenly up to the border; plain harmonic functions would concentrate the change at the
+// rim.
 numerics::SparseMatrix even_stiffness(const RotationFieldInput& input, const FeatureShapes& shapes)
 {
     numerics::SparseMatrix stiffness = *input.operators.harmonic;
@@ -55,7 +56,7 @@ numerics::SparseMatrix even_stiffness(const RotationFieldInput& input, const Fea
             entry.valueRef() *= nearness;
             sums(column) -= entry.value();
         }
-    // Columns of unused nodes are empty: there is no entry to write to.
+    // Columns of unused vertices are empty and have no diagonal entry.
     for (Eigen::Index column = 0; column < stiffness.cols(); ++column)
         for (numerics::SparseMatrix::InnerIterator entry(stiffness, column); entry; ++entry)
             if (entry.row() == column)
@@ -78,7 +79,7 @@ SheetGrowth::SheetGrowth(const RotationFieldInput& input, const FeatureShapes& s
         factor_.emplace(unknowns_.merged(stiffness_), input.operators.harmonic_tree);
 }
 
-// All that the sheet joins to a resizable feature without passing what is held.
+// The vertices connected to a resizable feature by paths without a constrained vertex.
 void SheetGrowth::find_unknowns(const std::vector<char>& is_held)
 {
     std::vector<char> is_reached(is_held.size(), 0);
@@ -121,21 +122,7 @@ Points SheetGrowth::field(const SizeChanges& sizes) const
     return spread(std::move(moves));
 }
 
-Points SheetGrowth::field_rate(const SizeChanges& sizes, const std::vector<double>& rates) const
-{
-    Points moves = Points::Zero(mesh_.vertex_count(), 3);
-    for (std::size_t k = 0; k < sizes.size(); ++k)
-    {
-        const VertexIds& vertices = constraints_.features[k].vertices;
-        for (std::size_t i = 0; i < vertices.size() && sizes[k]; ++i)
-            if (roles_.role[at(vertices[i])] == Role::body)
-                moves.row(vertices[i]) =
-                    rates[k] * shapes_[k]->growth.row(static_cast<Eigen::Index>(i));
-    }
-    return spread(std::move(moves));
-}
-
-// From rims to the sheet between them.
+// Extends the displacements of the rims to the sheet between them.
 Points SheetGrowth::spread(Points moves) const
 {
     if (factor_)

@@ -11,27 +11,23 @@
 namespace sheetmorph::surface
 {
 
-//! How the sheet makes room for the sizes of a pose. At rest, a sized rim moves to its circle
-//! (slot, cylinder); borders, other rims and all that is known stay, and between them the sheet
-//! follows by harmonic functions. Laid on the deformed sheet this turns with it: p_i + R_i g_i. So
-//! a size moves nothing but the sheet around it.
+//! Adapts the sheet to the sizes of a pose. At rest, a rim with a size moves to its circle (slot,
+//! cylinder). Borders, other rims and all prescribed vertices stay, and harmonic functions
+//! interpolate between them. On the deformed sheet the displacement g rotates with the sheet: p_i +
+//! R_i g_i. A size therefore only moves the sheet around it.
 class SheetGrowth
 {
 public:
-    //! \param shapes  of the resizable form features; without any the class holds nothing
+    //! \param shapes  of the resizable form features; without any, the class has no effect
     SheetGrowth(const RotationFieldInput& input, const FeatureShapes& shapes);
 
-    //! (n, 3) mm: what a size adds to the rest shape.
+    //! (n, 3) mm: change of the rest shape by sizes.
     Points field(const SizeChanges& sizes) const;
 
-    //! (n, 3) how the field changes where sizes do. \param rates  mm, by form feature; 0 where none
-    //! is set
-    Points field_rate(const SizeChanges& sizes, const std::vector<double>& rates) const;
-
-    //! Whether the size of a feature moves a vertex that is no feature's.
+    //! Whether sizes can move a vertex that belongs to no feature.
     bool moves(int vertex) const;
 
-    //! Adds the sizes to a pose solved without them; vertices of no triangle are not placed anew.
+    //! Adds the sizes to a pose solved without them; unused vertices stay unchanged.
     void lay(const SizeChanges& sizes, Deformation& deformation) const;
 
 private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/steel/shell_element.h"
 
+#include "sheetmorph/base/angles.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
@@ -11,13 +13,11 @@ namespace sheetmorph::surface
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
-
-// Below this squared ratio of areas, now over rest, a triangle resists further loss of area.
+// Squared ratio of current to rest area below which a triangle resists a further loss of area.
 constexpr double first_crushed = 0.75;
 constexpr double crush_stiffness = 0.25;
-constexpr double last_crushed = 0.03;  // ratio of areas: below it the energy is a parabola
-constexpr double least_ratio = 1e-6;   // likewise, so that a triangle of no area has a stress
+constexpr double last_crushed = 0.03;  // ratio of areas below which the energy is a parabola
+constexpr double least_ratio = 1e-6;   // ratio of areas; limits the stress at zero area
 
 int next(int corner)
 {
@@ -29,7 +29,7 @@ Vector3 area_normal(const ShellElement::Corners& corners)
     return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
 
-// About a side, from the normal to the director, radians.
+// Angle about a side from the normal to the director, radians.
 double angle_about(const Vector3& side, const Vector3& normal, const Vector3& director)
 {
     return std::atan2(normal.cross(director).dot(side), normal.dot(director));
@@ -51,7 +51,7 @@ ShellElement::ShellElement(const Place& rest, double poisson)
     const Vector3 y = normal.cross(x);
     elasticity_ << 1.0, poisson, 0.0, poisson, 1.0, 0.0, 0.0, 0.0, 0.5 * (1.0 - poisson);
     elasticity_ *= area_ / (1.0 - poisson * poisson);
-    Matrix3 curvature;  // of the three angles: k11, k22, 2 k12
+    Matrix3 curvature;  // columns: k11, k22, 2 k12 per angle
     for (int k = 0; k < 3; ++k)
     {
         const Vector3 side = rest.corners[static_cast<std::size_t>(next(k))]
@@ -90,9 +90,9 @@ ShellElement::Strain ShellElement::strain(const Place& place) const
     return found;
 }
 
-// With t = det C over its limit: k (-ln t - (1 - t) - (1 - t)^2 / 2), which is convex in the
-// strain. The energy of St. Venant and Kirchhoff alone is not convex below 0.58 of a length: it
-// softens, so that single triangles collapse and the rest does not bend.
+// With t = det C relative to its limit: k (-ln t - (1 - t) - (1 - t)^2 / 2), convex in the strain.
+// The energy of St. Venant and Kirchhoff alone is not convex below 0.58 of a length. It softens
+// there, so that single triangles would collapse while the rest does not bend.
 ShellElement::Crushing ShellElement::crushing(const Vector3& membrane)
 {
     const double c11 = 1.0 + 2.0 * membrane(0), c22 = 1.0 + 2.0 * membrane(1), c12 = membrane(2);
@@ -103,7 +103,8 @@ ShellElement::Crushing ShellElement::crushing(const Vector3& membrane)
     const double s = std::sqrt(std::max(t, least_ratio * least_ratio));
     const double lowest = last_crushed / std::sqrt(first_crushed);
     const double from = std::max(s, lowest), from_t = from * from;
-    // By s: value, slope, curvature where the logarithm ends, then along a parabola.
+    // With respect to s: value, slope and curvature where the logarithm ends, continued as a
+    // parabola.
     const double by_t = -crush_stiffness * (1.0 - from_t) * (1.0 - from_t) / from_t;
     const double curvature = 2.0 * by_t + 4.0 * crush_stiffness * (1.0 / from_t - from_t);
     const double slope = 2.0 * from * by_t + curvature * (s - from);
@@ -157,7 +158,8 @@ ShellElement::Rows ShellElement::membrane_rows(const Strain& strain) const
     return rows;
 }
 
-// A triangle that turns about a side takes from its angle, a director that turns adds to it.
+// A rotation of the triangle about a side reduces its angle; a rotation of the director increases
+// it.
 ShellElement::Rows ShellElement::angle_rows(const Strain& strain)
 {
     Rows rows = Rows::Zero();
@@ -186,7 +188,7 @@ ShellElement::Vector ShellElement::gradient(const Strain& strain, double bending
            + angle_rows(strain).transpose() * now.moments;
 }
 
-// Second derivative of an angle in the frame that is transported with its side.
+// Second derivative of an angle in the frame transported with its side.
 void ShellElement::add_turning(const Strain& strain, int side, double moment, Matrix& sum)
 {
     const Vector3& t = strain.sides[static_cast<std::size_t>(side)];
@@ -213,7 +215,7 @@ ShellElement::Matrix ShellElement::stiffness(const Strain& strain, double bendin
 {
     const Rows membrane = membrane_rows(strain);
     const Rows angles = angle_rows(strain);
-    // Eigen's products for large matrices take longer on ones of this size.
+    // For this size, lazy products are faster than Eigen's blocked products.
     const Rows stress_rows = membrane_tangent(strain).lazyProduct(membrane);
     const Rows moment_rows = (bending * bending_).lazyProduct(angles);
     Matrix sum = membrane.transpose().lazyProduct(stress_rows);

@@ -9,10 +9,11 @@
 namespace sheetmorph::surface
 {
 
-//! A triangle of a thin shell (mathematics.md, section 9): constant membrane strain e, whose energy
-//! is that of St. Venant and Kirchhoff and grows without bound as the area vanishes, and the
-//! constant curvature of Morley's triangle, from how far the director of each side turned about
-//! that side against the triangle. Side k runs from corner k to the next.
+//! A triangle of a thin shell (mathematics.md, section 9). Its membrane strain e is constant, with
+//! the energy of St. Venant and Kirchhoff plus a term that grows without bound as the area
+//! vanishes. Its curvature is that of Morley's triangle: constant, from the angle by which the
+//! director of each side rotated about that side relative to the triangle. Side k runs from corner
+//! k to the next.
 class ShellElement
 {
 public:
@@ -22,14 +23,15 @@ public:
     using Vector = Eigen::Matrix<double, 12, 1>;
     using Matrix = Eigen::Matrix<double, 12, 12>;
 
-    //! Where the triangle is, and the unit directors of its sides, each at right angles to it.
+    //! Position of the triangle, and the unit directors of its sides, each at right angles to its
+    //! side.
     struct Place
     {
         Corners corners;
         Corners directors;
     };
 
-    //! What the sheet resists: 2nd Piola-Kirchhoff stress (11, 22, 12), moments of the sides.
+    //! 2nd Piola-Kirchhoff stress (11, 22, 12) and moments of the sides.
     struct Stress
     {
         Vector3 membrane = Vector3::Zero();
@@ -42,39 +44,39 @@ public:
     //! mm^2 at rest.
     double area() const { return area_; }
 
-    //! Membrane strain and turned angles in one place, with what derivatives need.
+    //! Membrane strain and bending angles in one position, with the data for derivatives.
     struct Strain
     {
         Vector3 membrane;               //!< e11, e22, 2 e12
         Vector3 angles;                 //!< alpha, radians
         Eigen::Matrix<double, 3, 2> f;  //!< deformation gradient
-        Corners gradients;              //!< of the shape functions now, 1/mm
+        Corners gradients;              //!< of the shape functions in the current position, 1/mm
         Corners sides;                  //!< unit
         Eigen::Vector3d lengths;        //!< of the sides, mm
         Vector3 normal;                 //!< unit
     };
     Strain strain(const Place& place) const;
 
-    //! Energy over E h for a bending factor h^2 / 12, mm^2.
+    //! Energy divided by E h, for a bending factor h^2 / 12; mm^2.
     double energy(const Strain& strain, double bending) const;
     Stress stress(const Strain& strain, double bending) const;
 
-    //! What the stress becomes, to first order, where the triangle moves by `step`.
+    //! The stress after a displacement `step`, to first order.
     Stress predicted(const Strain& strain, double bending, const Vector& step) const;
 
     Vector gradient(const Strain& strain, double bending) const;
 
-    //! The tangent whose second-order part is that of a given stress.
+    //! Tangent with the given stress in its second-order part.
     Matrix stiffness(const Strain& strain, double bending, const Stress& of_second_order) const;
 
-    //! The part of a stress that pulls and bends nothing: its tangent has no negative direction.
+    //! The tensile part of a stress, without moments; its tangent is positive semidefinite.
     static Stress tension(const Stress& stress);
 
 private:
     using Rows = Eigen::Matrix<double, 3, 12>;
 
-    //! What resists the loss of area, over the area at rest: energy, stress and tangent by the
-    //! membrane strain.
+    //! The resistance to a loss of area, divided by the rest area: energy, stress and tangent with
+    //! respect to the membrane strain.
     struct Crushing
     {
         double energy = 0.0;

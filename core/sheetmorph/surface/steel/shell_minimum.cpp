@@ -18,20 +18,20 @@ using numerics::NewtonStep;
 namespace
 {
 
-constexpr double settled = 1e-7;       // of the size: a step that moves less is the last
-constexpr double longest_step = 0.25;  // of the size
+constexpr double settled = 1e-7;       // relative to the size: largest step at convergence
+constexpr double longest_step = 0.25;  // relative to the size
 constexpr double widest_turn = 0.8;    // radians, of a body or a director
-constexpr int remembered = 4;          // energies that a step is compared with
-constexpr double noise = 1e-12;        // of the energy
-constexpr double as_predicted = 1e-3;  // of the largest stress: what predicted ones may differ by
-constexpr double least_share = 1.0 / 65536.0;  // of the compression, in a tangent
-constexpr double near_saddle = 1e-3;           // of the size: steps this short may end in a saddle
+constexpr int remembered = 4;          // number of energies with which a step is compared
+constexpr double noise = 1e-12;        // relative to the energy
+constexpr double as_predicted = 1e-3;  // relative to the largest stress: tolerance of predictions
+constexpr double least_share = 1.0 / 65536.0;  // smallest share of compression in a tangent
+constexpr double near_saddle = 1e-3;  // relative to the size: shorter steps may end in a saddle
 constexpr int buckling_rounds = 12;
-constexpr double first_buckle = 0.02;  // of the size
+constexpr double first_buckle = 0.02;  // relative to the size
 constexpr double first_turn = 0.2;     // radians
 constexpr int most_rounds = 150;
 
-//! The linear problem of one step, with the points as constraints.
+//! The linear problem of one step with point constraints.
 class StepProblem
 {
 public:
@@ -46,7 +46,7 @@ public:
         add_rows();
     }
 
-    //! False where the tangent, with a share added to its diagonal, is not positive definite.
+    //! Returns false if the tangent, with a share added to its diagonal, is not positive definite.
     bool factorise(numerics::SparseCholesky& factor, double shift) const
     {
         try
@@ -78,7 +78,7 @@ public:
     }
 
 private:
-    // Adds weight * C^T C, which holds what only points hold.
+    // Adds weight * C^T C, which stiffens components supported only by points.
     void add_rows()
     {
         const numerics::SparseMatrix product = numerics::SparseMatrix(rows_.transpose()) * rows_;
@@ -111,7 +111,7 @@ private:
     double weight_ = 0.0;
 };
 
-//! A shell for newton_minimum(). Lengths are how far a vertex moves, mm.
+//! A shell for newton_minimum(). Step lengths are the largest displacement of a vertex, mm.
 class ShellProblem : public numerics::NewtonProblem
 {
 public:
@@ -125,7 +125,7 @@ public:
     {
     }
 
-    // What points miss costs as much as the sheet's own stretch would.
+    // Adds the squared error of the points, in the same unit as the energy of the sheet (mm^2).
     double value() override
     {
         const Eigen::VectorXd misses = shell_.point_misses(task_.targets);
@@ -175,7 +175,7 @@ private:
         return found;
     }
 
-    // As much of the compression as leaves the tangent positive definite.
+    // Uses the largest share of compression for which the tangent is positive definite.
     std::optional<NewtonStep> eased_step()
     {
         for (double share = std::min(1.0, 4.0 * share_); share >= least_share; share *= 0.5)
@@ -197,10 +197,10 @@ private:
         return std::nullopt;
     }
 
-    // Near a saddle: the direction in which the sheet buckles first, along the gradient. Inverse
-    // iteration with the factor at hand, of the eased tangent K + share (H - K), H the whole
-    // tangent and K that of tension: its largest eigenvalue against K is 1 / (1 - share mu), where
-    // H = (1 - mu) K.
+    // Near a saddle: the first buckling mode, on the side of decreasing energy. Inverse iteration
+    // uses the available factor of the eased tangent K + share (H - K), with the full tangent H and
+    // the tangent K of tension alone. Its largest eigenvalue relative to K is 1 / (1 - share mu),
+    // where H = (1 - mu) K.
     std::optional<NewtonStep> buckling_step(const Eigen::VectorXd& gradient, double share)
     {
         const ShellSystem::Tangent tension =
@@ -284,7 +284,7 @@ private:
     double bending_;
     ShellShape before_;
     ShellSystem::Stresses stresses_, last_;
-    double share_ = 1.0;               // of the compression in the last eased step
+    double share_ = 1.0;               // share of compression in the last eased step
     numerics::SparseCholesky factor_;  // of the last tangent
 };
 

@@ -8,7 +8,7 @@
 namespace sheetmorph::surface
 {
 
-//! What to minimise, and by when to give up.
+//! Input of minimise_shell().
 struct ShellTask
 {
     const SurfaceTargets& targets;
@@ -17,11 +17,11 @@ struct ShellTask
     Progress progress = {};
 };
 
-//! Moves a shell to its minimum by newton_minimum(). The first model has mixed stresses (Garcea and
-//! Magisano): its geometric stiffness takes the stresses that the step before has predicted. Where
-//! it does not help, as much of the compression counts as leaves the tangent positive definite, and
-//! near a saddle the sheet moves along its first buckling mode.
-//! \throws Cancelled if the progress callback asks for it
+//! Moves a shell to its minimum by newton_minimum(). The first model uses mixed stresses (Garcea
+//! and Magisano): its geometric stiffness contains the stresses that the previous step predicted.
+//! If it fails, the second model includes the largest share of compression for which the tangent is
+//! positive definite. Near a saddle point the sheet moves along its first buckling mode.
+//! \throws Cancelled on request of the progress callback
 Convergence minimise_shell(ShellSystem& shell, const ShellTask& task);
 
 }  // namespace sheetmorph::surface

@@ -16,9 +16,9 @@ namespace
 
 using Kind = ShellMover::Kind;
 
-constexpr int loose = -1;  // moves with nothing rigid
+constexpr int loose = -1;  // not part of a rigid object
 constexpr int ground = 0;  // fixed
-constexpr int kinds = 4;   // of rigid things, to number them apart
+constexpr int kinds = 4;   // number of kinds of rigid objects, for unique indices
 
 Vector3 row_of(const Points& points, int row)
 {
@@ -39,7 +39,7 @@ Vector3 across(const Vector3& vector, const Vector3& direction)
     return rest.norm() > 1e-9 ? Vector3(rest.normalized()) : direction.unitOrthogonal();
 }
 
-// What a vertex is rigid with: the ground, a handle, a body or a propagated region.
+// The rigid object of a vertex: ground, handle, body or propagated region.
 int rigid_with(const PlacementInput& part, int vertex)
 {
     const int owner = part.roles.owner[at(vertex)];
@@ -64,7 +64,7 @@ int rigid_with(const PlacementInput& part, int vertex)
     }
 }
 
-//! Decides vertices and edges of one pose.
+//! Determines the unknowns of vertices and edges in one pose.
 class Deciding
 {
 public:
@@ -93,7 +93,7 @@ private:
         return rotation_from_log(pose_.logs.row(vertex).transpose());
     }
 
-    // A point whose rotation is given takes the free corners of its triangle along.
+    // A point with a prescribed rotation moves the free corners of its triangle.
     void hold_turned_points()
     {
         const std::vector<PointConstraint>& points = pose_.part.constraints.points;
@@ -128,7 +128,8 @@ private:
         held_rotations_.emplace_back(vertex, rotation);
     }
 
-    // One vertex alone holds no slope: the free vertices around it move rigidly with it.
+    // A single prescribed vertex does not fix the slope, so the free vertices around it move
+    // rigidly with it.
     void hold_around_single_vertices()
     {
         const std::vector<int> given = rigid_;
@@ -184,7 +185,7 @@ private:
         }
     }
 
-    // An edge between two vertices of the same rigid thing turns with it.
+    // An edge between two vertices of the same rigid object rotates with it.
     void turn_edges()
     {
         std::vector<char> is_active(mesh_.edges.size(), 0);
@@ -242,7 +243,7 @@ private:
         }
     }
 
-    // The director of an edge as one of its triangles has taken it along.
+    // The director of an edge, moved rigidly with one of its triangles.
     Vector3 carried(const ShellMesh::Triangle& triangle, int edge) const
     {
         const Points& rest = pose_.part.rest.points();

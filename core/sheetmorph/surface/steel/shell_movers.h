@@ -7,18 +7,19 @@
 namespace sheetmorph::surface
 {
 
-//! What moves a vertex, or turns the director of an edge, while a shell is minimised.
+//! The unknowns that move a vertex or rotate the director of an edge in the minimisation of a
+//! shell.
 struct ShellMover
 {
     enum class Kind : char
     {
-        known,  //!< nothing any more
-        open,   //!< unknowns of its own
-        joint   //!< a body of Joints, rigidly
+        known,  //!< prescribed: does not move
+        open,   //!< has unknowns of its own
+        joint   //!< moves rigidly with a body of Joints
     };
 
     Kind kind = Kind::known;
-    int index = -1;  //!< its first unknown, or which of the turners
+    int index = -1;  //!< its first unknown, or the index of the rotating body
 };
 
 //! A shell in one shape.
@@ -29,7 +30,7 @@ struct ShellShape
     std::vector<BodyState> bodies;   //!< of the joints
 };
 
-//! The triangles of a part that count, and their edges, each with a director at rest.
+//! The non-degenerate triangles of a part, and their edges, each with a director at rest.
 struct ShellMesh
 {
     explicit ShellMesh(const mesh::TriangleMesh& mesh);
@@ -39,10 +40,10 @@ struct ShellMesh
         int index;                    //!< in the mesh
         std::array<int, 3> corners;   //!< vertices
         std::array<int, 3> edges;     //!< edge k from corner k to the next
-        std::array<double, 3> signs;  //!< 1 where the side runs from the smaller vertex
+        std::array<double, 3> signs;  //!< 1 if the side starts at its smaller vertex, else -1
     };
 
-    //! Unit, from the smaller to the larger vertex.
+    //! Unit vector from the smaller to the larger vertex.
     Vector3 direction(const Points& points, int edge) const;
 
     std::vector<Triangle> triangles;
@@ -50,17 +51,17 @@ struct ShellMesh
     std::vector<Vector3> directors;         //!< (edges) at rest
 };
 
-//! One pose of a part, as the linear energy has answered it.
+//! One pose of a part with its linear solution.
 struct ShellPose
 {
     const PlacementInput& part;
     const SurfaceTargets& targets;
-    const BodyMotions& bodies;  //!< whole motions of all bodies
+    const BodyMotions& bodies;  //!< full motions of all bodies
     const Points& positions;    //!< (n, 3)
     const Points& logs;         //!< (n, 3) rotations of the vertices
 };
 
-//! What moves everything, and the shape to start from.
+//! The unknowns of all vertices and edges, and the initial shape.
 struct ShellMovers
 {
     ShellMovers(const ShellMesh& mesh, const ShellPose& pose, const Joints& joints,
@@ -68,12 +69,12 @@ struct ShellMovers
 
     std::vector<ShellMover> vertices;
     std::vector<ShellMover> edges;
-    std::vector<char> is_point_held;  //!< by point: its row is needed, its triangle is not known
+    std::vector<char> is_point_held;  //!< by point: it needs a row; its triangle is not prescribed
     int open = 0;                     //!< unknowns before those of the joints
     ShellShape start;
 };
 
-//! Bodies that have to be found together with the shell, leaders before followers.
+//! The bodies that are unknowns of the shell, leaders before followers.
 std::vector<Turner> shell_turners(const PlacementInput& part);
 
 }  // namespace sheetmorph::surface

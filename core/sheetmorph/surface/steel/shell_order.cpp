@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The order in which a shell's unknowns are eliminated.
+// The elimination order of a shell's unknowns.
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/threads/stopping.h"
 #include "sheetmorph/surface/steel/shell_system.h"
@@ -45,11 +45,11 @@ void ShellSystem::find_things()
                 freedom.things.push_back(thing);
 }
 
-// Ones where some element couples two things.
+// Entries of 1 where an element couples two blocks of unknowns.
 numerics::SparseMatrix ShellSystem::coupled_things() const
 {
     look_for_stop();
-    std::vector<int> first(things_.size() + 2, 0);  // of the elements of each thing, one later
+    std::vector<int> first(things_.size() + 2, 0);  // first element of each block, shifted by one
     for (const Freedom& freedom : freedoms_)
         for (const int thing : freedom.things)
             ++first[at(thing) + 2];
@@ -85,7 +85,7 @@ numerics::SparseMatrix ShellSystem::coupled_things() const
     return found;
 }
 
-// The unknowns of one thing stay together.
+// Keeps the unknowns of a block together.
 void ShellSystem::find_tree(const numerics::SparseMatrix& coupled)
 {
     look_for_stop();

@@ -18,15 +18,15 @@ namespace
 
 using Kind = ShellMover::Kind;
 
-constexpr Eigen::Index least_elements = 100;  // of a range
-constexpr std::size_t chunk = 4096;           // elements whose matrices are in memory at once
+constexpr Eigen::Index least_elements = 100;  // fewest worth a thread
+constexpr std::size_t chunk = 4096;  // elements whose matrices are in memory simultaneously
 
 Vector3 row_of(const Points& points, int row)
 {
     return points.row(row).transpose();
 }
 
-// The smallest rotation from one unit vector to another, applied to a vector.
+// Applies the smallest rotation between two unit vectors to a vector.
 Vector3 transported(const Vector3& vector, const Vector3& from, const Vector3& to)
 {
     const double cosine = from.dot(to);
@@ -66,7 +66,7 @@ ShellSystem::ShellSystem(const ShellInput& input, ShellMovers movers, Joints& jo
     restore(movers_.start);
 }
 
-// Ascending; empty where all is known.
+// Ascending; empty if all corners and directors are prescribed.
 std::vector<int> ShellSystem::columns_of(const ShellMesh::Triangle& triangle) const
 {
     std::vector<int> columns;
@@ -115,7 +115,7 @@ void ShellSystem::find_columns()
     }
 }
 
-// The sparse matrices count their entries by int.
+// The sparse matrices count their entries as int.
 void ShellSystem::check_count(std::size_t entries)
 {
     if (entries > static_cast<std::size_t>(std::numeric_limits<int>::max()))
@@ -125,7 +125,7 @@ void ShellSystem::check_count(std::size_t entries)
             "take a coarser mesh");
 }
 
-// Couplings of things expand to blocks of the matrix: the columns of one thing have the same rows.
+// Expands couplings of blocks to blocks of the matrix; the columns of a block have the same rows.
 void ShellSystem::find_pattern(const numerics::SparseMatrix& coupled)
 {
     const auto count_of = [this](Eigen::Index thing) { return things_[at(thing)].count; };
@@ -197,7 +197,7 @@ double ShellSystem::energy(double bending) const
     return parts.sum();
 }
 
-// How a point moves with one number of a level.
+// Derivative of a point's position with respect to one unknown of a level.
 Vector3 ShellSystem::arm(const JointLevel& level, std::size_t axis, const Vector3& point) const
 {
     return level.is_turn ? Vector3(level.axes[axis].cross(point - level.point)) : level.axes[axis];
@@ -208,7 +208,7 @@ double ShellSystem::sign_of(std::size_t element, int local) const
     return local < 9 ? 1.0 : mesh_.triangles[triangles_[element]].signs[at(local - 9)];
 }
 
-// The matrix and the gradient of an element in its own columns.
+// Projects the matrix and the gradient of an element onto its own columns.
 void ShellSystem::project(std::size_t element, const ShellElement::Matrix& stiffness,
                           const ShellElement::Vector& forces, Projected& found) const
 {
@@ -237,7 +237,7 @@ void ShellSystem::project(std::size_t element, const ShellElement::Matrix& stiff
     }
 }
 
-// (12, columns) how corners and directors follow the unknowns.
+// (12, columns) derivatives of corners and directors with respect to the unknowns.
 ShellSystem::Local ShellSystem::local_rows(std::size_t element) const
 {
     const Freedom& freedom = freedoms_[element];
@@ -279,7 +279,7 @@ ShellSystem::Local ShellSystem::local_rows(std::size_t element) const
     return rows;
 }
 
-// What forces do along the curved paths of bodies.
+// Second-order contribution of forces along the curved paths of bodies.
 void ShellSystem::add_second_order(std::size_t element, const ShellElement::Vector& forces,
                                    Eigen::MatrixXd& sum) const
 {
@@ -424,7 +424,8 @@ void ShellSystem::add_to_matrix(const Freedom& freedom, const Eigen::MatrixXd& p
     }
 }
 
-// Freedoms that no triangle feels, as a body of one vertex has: they need a pivot and stay.
+// Freedoms without a triangle, such as those of a body with one vertex, need a pivot to stay at
+// rest.
 void ShellSystem::brace_joints()
 {
     if (joints_.freedoms() == 0)

@@ -8,7 +8,7 @@
 namespace sheetmorph::surface
 {
 
-//! What no pose changes.
+//! The data that are independent of the pose.
 struct ShellInput
 {
     const ShellMesh& mesh;
@@ -16,12 +16,12 @@ struct ShellInput
     double poisson = 0.3;
 };
 
-//! Energy, gradient and tangent of a whole shell in its unknowns: open vertices and directors, then
-//! the freedoms of the joints, all to first order about the shape in hand.
+//! Energy, gradient and tangent of a whole shell. The unknowns are free vertices and directors,
+//! then the freedoms of the joints, as increments to the current shape.
 class ShellSystem
 {
 public:
-    //! \param joints  at the start; it is moved along
+    //! \param joints  in their initial state; they move with the shell
     ShellSystem(const ShellInput& input, ShellMovers movers, Joints& joints);
 
     int unknowns() const { return movers_.open + joints_.freedoms(); }
@@ -30,22 +30,21 @@ public:
     //! \param bending  h^2 / 12, mm^2
     double energy(double bending) const;
 
-    //! Moves along unknowns; directors are transported with their edges.
+    //! Applies increments of the unknowns; directors are transported with their edges.
     void step(const Eigen::VectorXd& change);
     void restore(const ShellShape& shape);
 
-    //! The farthest any vertex would move, mm, and the farthest a body would turn, radians.
+    //! Largest displacement of a vertex, mm, and largest rotation of a body or director, radians.
     double shift_of(const Eigen::VectorXd& change) const;
     double turn_of(const Eigen::VectorXd& change) const;
 
-    //! A field at right angles to the sheet where it is, without a symmetry: what buckling modes
-    //! are sought from.
+    //! A field normal to the sheet without a symmetry; the start of the search for buckling modes.
     Eigen::VectorXd out_of_plane() const;
 
     using Stresses = std::vector<ShellElement::Stress>;
     Stresses no_stresses() const { return Stresses(elements_.size()); }
 
-    //! What the stresses become along a step, to first order.
+    //! The stresses after a step, to first order.
     Stresses predicted(double bending, const Eigen::VectorXd& change) const;
 
     struct Tangent
@@ -54,21 +53,21 @@ public:
         std::shared_ptr<numerics::SparseMatrix> matrix;  //!< both triangles
     };
 
-    //! The stresses there are now: their tension, and a share of what is not tension. The tangent
-    //! of tension alone has no negative direction.
+    //! The current stresses: their tension and a share of the rest. The tangent of tension alone is
+    //! positive semidefinite.
     Stresses eased(double bending, double share) const;
 
-    //! \param stresses  whose second-order part is taken
-    //! \param share     of the second-order part of bodies
+    //! \param stresses  used in the second-order part
+    //! \param share     share of the second-order part of bodies
     Tangent tangent(double bending, const Stresses& stresses, double share = 1.0);
 
-    //! A matrix of the pattern that all tangents have.
+    //! A matrix with the pattern of all tangents.
     std::shared_ptr<const numerics::SparseMatrix> pattern() const { return matrix_; }
 
-    //! Order of elimination of the tangents.
+    //! Elimination order of the tangents.
     const std::shared_ptr<const numerics::SeparatorTree>& tree() const { return tree_; }
 
-    //! Rows (3 k, unknowns) of the points that are held, and what they miss (3 k) mm.
+    //! Rows (3 k, unknowns) of the constrained points, and their errors (3 k), mm.
     numerics::SparseMatrix point_rows() const;
     Eigen::VectorXd point_misses(const SurfaceTargets& targets) const;
 
@@ -76,14 +75,14 @@ private:
     using Local = Eigen::Matrix<double, 12, Eigen::Dynamic>;
     struct Freedom
     {
-        std::array<int, 12> direct;  // unknown of each local number, or -1
+        std::array<int, 12> direct;  // by local number: index in `columns`, or -1
         std::vector<int> columns;    // unknowns of the element, ascending
-        std::vector<int> things;     // theirs, ascending
+        std::vector<int> things;     // their blocks, ascending
         std::size_t first_slot = 0;
         bool is_jointed = false;
     };
 
-    //! Unknowns that belong together: an element has all of them or none.
+    //! A block of unknowns; an element contains all of them or none.
     struct Thing
     {
         int first, count;
@@ -120,11 +119,11 @@ private:
     ShellMovers movers_;
     Joints& joints_;
     ShellShape shape_;
-    std::vector<std::size_t> triangles_;  // of the mesh, that can move
+    std::vector<std::size_t> triangles_;  // triangles of the mesh that can move
     std::vector<ShellElement> elements_;
     std::vector<Freedom> freedoms_;
-    std::vector<Thing> things_;  // by their unknowns
-    std::vector<int> slots_;     // by element, column and row of things: where their block begins
+    std::vector<Thing> things_;  // ordered by their unknowns
+    std::vector<int> slots_;     // by element, column and row of blocks: first entry
     std::shared_ptr<numerics::SparseMatrix> matrix_;
     std::shared_ptr<const numerics::SeparatorTree> tree_;
 };

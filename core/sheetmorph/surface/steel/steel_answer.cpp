@@ -17,12 +17,12 @@ namespace sheetmorph::surface
 namespace
 {
 
-constexpr double default_thickness = 0.01;  // of the size
-constexpr double refined_thickness = 0.05;  // of the size
+constexpr double default_thickness = 0.01;  // relative to the size
+constexpr double refined_thickness = 0.05;  // relative to the size
 
-// The diagonal of a flat rectangle, and for any other sheet that of the rectangle with the same
-// covariance of its area. It does not turn with the axes, as the diagonal of a box along them does,
-// and depends neither on the facets nor on nodes of no triangle.
+// The diagonal of the rectangle with the same covariance of its area as the sheet; exact for a flat
+// rectangle. Unlike the diagonal of a bounding box, it does not depend on the axes. It depends
+// neither on the facets nor on unused vertices.
 double size_of_triangles(const mesh::TriangleMesh& mesh)
 {
     double area = 0.0, second = 0.0;
@@ -39,7 +39,7 @@ double size_of_triangles(const mesh::TriangleMesh& mesh)
         const double own = 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
         area += own;
         first += own / 3.0 * sum;
-        // The mean of a square over a triangle: of the corners, and of their sum.
+        // Mean of a squared length over a triangle, from its corners and their sum.
         second += own / 12.0
                   * (sum.squaredNorm() + corners[0].squaredNorm() + corners[1].squaredNorm()
                      + corners[2].squaredNorm());
@@ -49,14 +49,14 @@ double size_of_triangles(const mesh::TriangleMesh& mesh)
     return std::sqrt(12.0 * std::max(0.0, second / area - (first / area).squaredNorm()));
 }
 
-// A linear answer is refined by a shell so thick that only large rotations change it.
+// A refined linear result uses a shell so thick that only large rotations change the shape.
 double thickness_of(const mesh::TriangleMesh& rest, const SurfaceConstraints& constraints)
 {
     return constraints.energy == Energy::steel ? sheet_thickness(constraints.thickness, rest)
                                                : refined_thickness * size_of_triangles(rest);
 }
 
-// Columns: two sides of a triangle and a unit normal times its size.
+// Columns: two sides of a triangle and its unit normal times its size.
 Matrix3 frame(const Points& points, const std::array<int, 3>& corners)
 {
     const Vector3 first = points.row(corners[0]).transpose();
@@ -87,7 +87,7 @@ SteelAnswer::Shape SteelAnswer::solve(const ShellPose& pose, const Progress& pro
 {
     const std::vector<Turner> turners = shell_turners(pose.part);
     Joints joints(pose.part, pose.targets, turners, pose.bodies);
-    joints.start_as_known();  // as the positions that the sheet starts from
+    joints.start_as_known();  // matches the initial positions of the sheet
     ShellMovers movers(mesh_, pose, joints, turners);
     ShellSystem shell({mesh_, pose.part, poisson_}, std::move(movers), joints);
     Shape found{pose.positions, {}, pose.bodies};
@@ -107,7 +107,8 @@ SteelAnswer::Shape SteelAnswer::solve(const ShellPose& pose, const Progress& pro
     return found;
 }
 
-// Free vertices turn as the triangles around them, the others as they are told.
+// Free vertices take the mean rotation of the triangles around them; the others keep their
+// prescribed rotation.
 Points SteelAnswer::measured_logs(const ShellPose& pose, const Points& positions,
                                   const BodyMotions& bodies) const
 {

@@ -8,13 +8,14 @@
 namespace sheetmorph::surface
 {
 
-//! mm: what is given, or a hundredth of the size where that is 0. The size is the diagonal of the
-//! flat rectangle whose area is spread as the sheet's is, so that no axis and no facet counts.
+//! Thickness in mm: the given one, or a hundredth of the size if that is 0. The size is the
+//! diagonal of the flat rectangle with the same covariance of its area as the sheet. It depends
+//! neither on the axes nor on the facets.
 double sheet_thickness(double given, const mesh::TriangleMesh& mesh);
 
-//! A part as a sheet of steel: a geometrically nonlinear thin shell that hardly stretches
-//! (mathematics.md, section 9), from the linear answer on. Refined parts of the other energies are
-//! the same shell, a third of their size thick.
+//! A part as a sheet of steel: a geometrically nonlinear, nearly inextensible thin shell
+//! (mathematics.md, section 9), solved from the linear result. Refined parts of the other energies
+//! are the same shell with a thickness of a twentieth of their size.
 class SteelAnswer
 {
 public:
@@ -24,13 +25,13 @@ public:
     {
         Points positions;    //!< (n, 3) mm
         Points logs;         //!< (n, 3) rotations of the vertices (2.6)
-        BodyMotions bodies;  //!< whole motions
+        BodyMotions bodies;  //!< full motions
         Convergence convergence = {};
-        double energy = 0.0;  //!< over E h, mm^2, of what is not known
+        double energy = 0.0;  //!< divided by E h, mm^2, of the elements that can move
     };
 
-    //! \param pose  the linear answer: known vertices are where they have to be
-    //! \throws Cancelled if the progress callback asks for it
+    //! \param pose  the linear result; prescribed vertices are at their targets
+    //! \throws Cancelled on request of the progress callback
     Shape solve(const ShellPose& pose, const Progress& progress) const;
 
 private:

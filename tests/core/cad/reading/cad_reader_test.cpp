@@ -242,8 +242,9 @@ TEST(CadReader, refuses_sizes_out_of_range)
     const std::string path = folder.file("plate.brep");
     EXPECT_THAT(complaint(path, {-1.0, 0.0, 0.35}), testing::HasSubstr("length"));
     EXPECT_THAT(complaint(path, {1.0, 0.1, 3.0}), testing::HasSubstr("angle"));
-    EXPECT_THAT(complaint(path, {1e-9, 0.1, 0.35}),
-                testing::HasSubstr("million triangles; give a longer edge"));
+    EXPECT_THAT(
+        complaint(path, {1e-9, 0.1, 0.35}),
+        testing::HasSubstr("triangles, more than the limit of 3 million; give a longer edge"));
 }
 
 TEST(CadReader, can_be_cancelled)

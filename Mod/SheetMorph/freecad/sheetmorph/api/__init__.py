@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The scripting interface of SheetMorph: everything the workbench does, without a window.
+"""The scripting interface of SheetMorph: everything in the workbench, without a window.
 
 `doc` is the active document, as macros write it.
 
-Lengths in mm, angles in degrees, vectors and points in the global coordinates a user sees,
-vertices as indices into the mesh of their part. No call recomputes: say `document.recompute()`
-when the objects are as wanted. Bad arguments raise ValueError with one sentence that says what
-to do, and change nothing.
+Lengths are in mm, angles in degrees. Vectors and points are in global coordinates, as the user sees
+them. Vertices are indices into the mesh of their part. No call recomputes: call
+`document.recompute()` after the changes. Invalid arguments raise ValueError with a remedy and
+change nothing.
 """
 
 import FreeCAD

@@ -37,14 +37,20 @@ from freecad.sheetmorph.objects.part import PartProxy
 def create_assembly(document, label: str = "Morph"):
     """Create an empty assembly in a document and return it, a group.
 
-    `label` is what the user sees; FreeCAD makes it unique.
+    Parameters
+    ----------
+    document : App.Document
+        The document.
+    label : str
+        Label for the user; FreeCAD makes it unique.
     """
     assembly = document.addObject("App::DocumentObjectGroupPython", "Morph")
     AssemblyProxy(assembly)
     assembly.Label = label
     deformation = document.addObject("App::FeaturePython", "Deformation")
     DeformationProxy(deformation)
-    deformation.Label = "Shapes of all parts"  # FreeCAD names it where a deletion has consequences
+    # FreeCAD shows this label when it lists the consequences of a deletion
+    deformation.Label = "Shapes of all parts"
     assembly.addObject(deformation)
     return assembly
 
@@ -52,9 +58,22 @@ def create_assembly(document, label: str = "Morph"):
 def add_part(assembly, source, label: str | None = None):
     """Add a mesh to an assembly and return the part, the object that shows it deformed.
 
-    `source`: a Mesh::Feature of the same document, anywhere in it; it is hidden and never
-    changed. The first part becomes the primary. `label`: default the source's and "morphed".
-    Raises ValueError: no mesh, empty, of another document, already in this assembly.
+    The source is hidden and never changed. The first part becomes the primary.
+
+    Parameters
+    ----------
+    assembly : object
+        The assembly.
+    source : Mesh::Feature
+        A mesh of the same document.
+    label : str, optional
+        Label of the part; by default that of the source and "morphed".
+
+    Raises
+    ------
+    ValueError
+        If the source is not a mesh, is empty, is in another document, or is already in this
+        assembly.
     """
     require_assembly(assembly)
     check_source(assembly, source)
@@ -90,13 +109,13 @@ def check_source(assembly, source) -> None:
 
 
 def set_primary(assembly, part) -> None:
-    """Make `part` of `assembly` the one that handles move; the others follow it."""
+    """Make `part` the primary part of `assembly`, which handles move and the others follow."""
     require_part_of(assembly, part)
     assembly.Primary = part
 
 
 def set_energy(assembly, energy: str) -> None:
-    """Choose the energy: `natural` (free edges are free), `neumann`, `paper` or `steel`."""
+    """Set the energy: `natural` (free edges are free), `neumann`, `paper` or `steel`."""
     require_assembly(assembly)
     if energy not in ENERGIES:
         raise ValueError(f"The energy '{energy}' does not exist; choose {' or '.join(ENERGIES)}.")
@@ -104,7 +123,7 @@ def set_energy(assembly, energy: str) -> None:
 
 
 def set_operator(assembly, operator: str) -> None:
-    """Choose the triangles the energy sees: `cotangent` (the mesh's) or `intrinsic` (Delaunay)."""
+    """Set the triangles of the energy: `cotangent` (the mesh's) or `intrinsic` (Delaunay)."""
     require_assembly(assembly)
     if operator not in OPERATORS:
         choice = " or ".join(OPERATORS)
@@ -115,10 +134,21 @@ def set_operator(assembly, operator: str) -> None:
 def set_symmetry(
     assembly, normal: Sequence[float] | None, point: Sequence[float] = (0.0, 0.0, 0.0)
 ) -> None:
-    """Declare a plane of symmetry, so that what one side is told the other does mirrored.
+    """Set a plane of symmetry, across which every motion is mirrored.
 
-    `normal` (3,) and a `point` (3,) mm of the plane, global; `normal` None: no symmetry.
-    Raises ValueError.
+    Parameters
+    ----------
+    assembly : object
+        The assembly.
+    normal : sequence of float or None
+        Normal (3,) of the plane, global; None removes the symmetry.
+    point : sequence of float
+        Point (3,) on the plane, global, mm.
+
+    Raises
+    ------
+    ValueError
+        If the normal or the point is invalid.
     """
     require_assembly(assembly)
     if normal is None:
@@ -130,16 +160,29 @@ def set_symmetry(
 
 
 def set_refine(assembly, refine: bool) -> None:
-    """Refine large rotations, or not: slower, and nearer to how sheet bends."""
+    """Switch the refinement of large rotations on or off.
+
+    It is slower, and closer to the behaviour of sheet metal.
+    """
     require_assembly(assembly)
     assembly.Refine = bool(refine)
 
 
 def set_unheld(assembly, way: str) -> None:
-    """Decide what becomes of pieces of a part that nothing holds, while others of it move.
+    """Set the behaviour of pieces of a part without prescribed vertices while other pieces move.
 
-    `way`: "rest" (they stay), "along" (each goes rigidly along with the nearest place that is
-    held) or "refuse" (the morph fails). Raises ValueError.
+    Parameters
+    ----------
+    assembly : object
+        The assembly.
+    way : str
+        "rest" (they stay), "along" (each follows the nearest prescribed point rigidly) or "refuse"
+        (the morph fails).
+
+    Raises
+    ------
+    ValueError
+        For another value.
     """
     require_assembly(assembly)
     if way not in UNHELD:
@@ -148,7 +191,7 @@ def set_unheld(assembly, way: str) -> None:
 
 
 def remove(obj) -> None:
-    """Delete a region, contact or relation, a part with all that is on it, or a whole assembly.
+    """Delete a region, contact or relation, a part with everything on it, or a whole assembly.
 
     The source meshes stay and are shown again. Raises ValueError for any other object.
     """
@@ -161,11 +204,11 @@ def remove(obj) -> None:
 
 
 def remove_dependents(obj) -> None:
-    """Delete what cannot live without an object of ours, before the object itself is deleted.
+    """Delete the dependents of a SheetMorph object before the object is deleted.
 
-    Of a part its regions and contacts, of a region relations with nothing left to relate, of an
-    assembly all that is in it. Source meshes are shown again. Raises ValueError for what is not
-    ours.
+    These are the regions and contacts of a part, the relations that a region leaves incomplete, and
+    the whole content of an assembly. Source meshes are shown again. Raises ValueError for any other
+    object.
     """
     what = kind(obj)
     if what == model.ASSEMBLY:
@@ -187,7 +230,7 @@ def remove_dependents(obj) -> None:
 
 
 def leave_part(part) -> None:
-    """Delete the regions and contacts of a part, show its source, let another be the primary."""
+    """Delete the regions and contacts of a part, show its source, and choose another primary."""
     assembly, source = assembly_of(part), part.Original or part.Source
     prepared = part.Source if part.Original is not None else None
     others: list = []

@@ -15,7 +15,7 @@ from freecad.sheetmorph.api.checks import refuse_link, require_assembly
 from freecad.sheetmorph.api.meshes import add_mesh
 from freecad.sheetmorph.bridge.reading import read_file
 from freecad.sheetmorph.bridge.rest import read_kept
-from freecad.sheetmorph.bridge.shapes import keep_shape
+from freecad.sheetmorph.bridge.shapes import keep_shape, kept_shape
 from freecad.sheetmorph.objects import shape_source
 from freecad.sheetmorph.objects.part import THIN_AUTOMATIC
 
@@ -80,13 +80,16 @@ def add_model(assembly, model) -> list:
     They bend as sheets with two skins where they are sheets.
     """
     cad_file = kernel.load().files.cad_file
+    found = [
+        (mesh, cad_file.exact_features(part), kept_shape(model, number))
+        for number, (part, mesh) in enumerate(zip(model.parts, cad_file.part_meshes(model)))
+        if len(mesh.triangles)
+    ]
     parts = []
-    found = list(enumerate(zip(model.parts, cad_file.part_meshes(model))))
-    for number, (part, mesh) in reporting.one_by_one(found, "adding the parts"):
-        if len(mesh.triangles):
-            parts.append(add_mesh(assembly, mesh, mesh.name, cad_file.exact_features(part)))
-            keep_shape(parts[-1], model, number)
-            parts[-1].Thin = THIN_AUTOMATIC
+    for mesh, features, kept in reporting.one_by_one(found, "adding the parts"):
+        parts.append(add_mesh(assembly, mesh, mesh.name, features))
+        keep_shape(parts[-1], kept)
+        parts[-1].Thin = THIN_AUTOMATIC
     return parts
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is written, read again, measured and judged."""
+"""Certificates of written parts."""
 
 from __future__ import annotations
 
@@ -15,12 +15,25 @@ from freecad.sheetmorph.bridge.written import CERTIFICATE
 def certify(
     assembly, folder: str | os.PathLike, criteria: str = "standard", *, force: bool = False
 ) -> dict:
-    """Write every part as `write_parts` does and certify what was written; return the certificate.
+    """Write every part as `write_parts` does, certify the files and return the certificate.
 
-    `criteria`: a set (standard, crash, static) or a JSON file. `certificate.json` and a page,
-    `certificate.html`, lie beside the parts; `passed` and `failures` tell whether all holds.
-    Files that SheetMorph did not write stay, unless `force`. Raises MorphError, ValueError,
-    OSError.
+    The files `certificate.json` and `certificate.html` are written beside the parts. The entries
+    `passed` and `failures` give the result.
+
+    Parameters
+    ----------
+    assembly : object
+        The assembly.
+    folder : str or path
+        Folder for the parts.
+    criteria : str
+        A set (standard, crash, static) or a JSON file.
+    force : bool
+        Overwrite files that SheetMorph did not write.
+
+    Raises
+    ------
+    MorphError, ValueError, OSError
     """
     certifying, folder = kernel.certifying(), Path(folder)
     limits = certifying.read_criteria(criteria)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Checks of arguments at the door of the scripting interface."""
+"""Checks of the arguments of the scripting interface."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from freecad.sheetmorph.objects.region import FORM_FEATURE
 
 
 def refuse_link(source) -> None:
-    """Raise ValueError for a link (App::Link): what it shows is another object's."""
+    """Raise ValueError for a link (App::Link), because it shows another object."""
     if str(getattr(source, "TypeId", "")).startswith("App::Link"):
         linked = source.getLinkedObject(True)
         if linked in (None, source):
@@ -25,7 +25,7 @@ def refuse_link(source) -> None:
 
 
 def require_kind(obj, wanted: str, word: str) -> None:
-    """Raise ValueError unless `obj` is an object of ours of the wanted kind."""
+    """Raise ValueError unless `obj` is a SheetMorph object of the wanted kind."""
     if kind(obj) != wanted:
         label = getattr(obj, "Label", repr(obj))
         raise ValueError(f"'{label}' is no {word} of SheetMorph; pass a {word}.")
@@ -103,9 +103,9 @@ def number(value: float, word: str) -> float:
 
 
 def indices(values: Iterable[int], count: int, word: str) -> np.ndarray:
-    """Return indices (k,) int64, sorted, once each; ValueError if none or outside 0 .. count-1.
+    """Return sorted unique indices (k,) int64; raise ValueError if none or outside 0 .. count-1.
 
-    `word` is what they count, `vertex` or `facet`.
+    `word` names the items, `vertex` or `facet`.
     """
     given = np.asarray(list(values))
     if given.size == 0:

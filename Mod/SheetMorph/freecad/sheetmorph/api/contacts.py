@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Contacts: where parts are joined, so that one follows the other."""
+"""Contacts: connections between parts, through which one follows the other."""
 
 from __future__ import annotations
 
@@ -21,8 +21,23 @@ Side = tuple[object, Iterable[int] | dict]
 def add_contact(assembly, a: Side, b: Side, *, label: str = "Contact", type: str = CONTROL_MESH):
     """Add a contact between two parts and return it.
 
-    `a`, `b`: `(part, vertices)` of either side, at least one vertex each; which part leads is
-    found out from the primary. `type`: "control mesh", "tied" or "rigid". Raises ValueError.
+    The primary determines which part drives the other.
+
+    Parameters
+    ----------
+    assembly : object
+        The assembly.
+    a, b : tuple
+        The sides, each as (part, vertices) with at least one vertex, or with a selector.
+    label : str
+        Label of the contact.
+    type : str
+        "control mesh", "tied" or "rigid".
+
+    Raises
+    ------
+    ValueError
+        For an invalid side or type.
     """
     checked = [checked_side(assembly, side) for side in (a, b)]
     require_type(type)
@@ -40,7 +55,7 @@ def add_contact(assembly, a: Side, b: Side, *, label: str = "Contact", type: str
 
 
 def checked_side(assembly, side: Side) -> tuple[np.ndarray, str]:
-    """Return the vertices (k,) of a side of a contact and what it says, or raise ValueError."""
+    """Return the vertices (k,) of a contact side and its selector, or raise ValueError."""
     part, vertices = side
     require_part_of(assembly, part)
     return vertices_and_words(part, vertices)
@@ -53,27 +68,27 @@ def require_type(type: str) -> None:
 
 
 def set_contact_type(contact, type: str) -> None:
-    """Say how a contact holds: "control mesh", "tied" or "rigid"; ValueError for another type."""
+    """Set the type of a contact: "control mesh", "tied" or "rigid". Raises ValueError."""
     require_kind(contact, model.CONTACT, "contact")
     require_type(type)
     contact.Type = type
 
 
 def set_active(contact, active: bool) -> None:
-    """Use a contact, or keep it without using it, as if the weld were open."""
+    """Switch a contact on, or off as if the joint were open."""
     require_kind(contact, model.CONTACT, "contact")
     contact.Active = bool(active)
 
 
 def contact_vertices(contact, side: str) -> list[int]:
-    """Return the vertices of side "a" or "b" of a contact: sorted indices into its part's mesh."""
+    """Return the sorted vertex indices of side "a" or "b" of a contact in its part's mesh."""
     require_kind(contact, model.CONTACT, "contact")
     require_side(side)
     return model.contact_vertices(contact, side).tolist()
 
 
 def set_contact_vertices(contact, side: str, vertices: Iterable[int] | dict) -> None:
-    """Give side "a" or "b" of a contact other vertices of its part, at least one, or a selector."""
+    """Set the vertices of side "a" or "b" of a contact: at least one, or a selector."""
     require_kind(contact, model.CONTACT, "contact")
     require_side(side)
     part = contact.PartA if side == "a" else contact.PartB
@@ -89,9 +104,10 @@ def require_side(side: str) -> None:
 
 
 def touching_vertices(part_a, part_b, distance: float) -> tuple[list[int], list[int]]:
-    """Return the vertices of each part that are within `distance`, mm, of the other's surface.
+    """Return the vertices of each part within `distance`, mm, of the other's surface.
 
-    At rest and where the parts are placed; both lists sorted, empty where nothing is so near.
+    Both sorted lists refer to the placed parts at rest; they are empty if no vertex is close
+    enough.
     """
     reach = number(distance, "distance")
     if reach < 0.0:

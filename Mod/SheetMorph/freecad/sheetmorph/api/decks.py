@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Decks: imported with their parts, and what they call them."""
+"""Imported decks with their parts and names."""
 
 from __future__ import annotations
 
@@ -21,13 +21,27 @@ from freecad.sheetmorph.objects.deck import DeckProxy, ShellsProxy, told_thickne
 def import_deck(
     assembly, path: str | os.PathLike, split: str | None = None, *, settings: dict | None = None
 ) -> list:
-    """Read a deck into an assembly and return its parts, one for every property.
+    """Read a deck into an assembly and return its parts, one per property.
 
-    Where properties share nodes, one for every component; `split` ("property", "components" or ""
-    for one part) says otherwise. Beneath each part its properties with name, number, thickness.
-    The deck itself, with all that it includes, is kept in the document: `write_parts` writes it
-    again, everything that hangs on the sheet moved along. `settings`: `passengers` and `joints` of
-    a recipe's part. Raises ValueError or OSError if it cannot be read.
+    If properties share nodes, there is one part per component. The properties with name, number and
+    thickness are below each part. The document stores the deck with all its includes. `write_parts`
+    writes it again with moved nodes.
+
+    Parameters
+    ----------
+    assembly : object
+        The assembly.
+    path : str or path
+        The deck.
+    split : str, optional
+        "property", "components", or "" for a single part.
+    settings : dict, optional
+        `passengers` and `joints`, as in a recipe.
+
+    Raises
+    ------
+    ValueError, OSError
+        If the deck cannot be read.
     """
     require_assembly(assembly)
     file = read_file(path)
@@ -54,7 +68,7 @@ def _add_deck(assembly, file, split: str, settings: dict | None):
 
 
 def _add_part(deck, file, name: str, rows: np.ndarray):
-    """Add the part of a deck that is made of some of its triangles (k,)."""
+    """Add the part of a deck with some of its triangles (k,)."""
     mesh, vertices = kernel.splitting().part_of(file.mesh, rows, name)
     found = file.shells_of(rows)
     whole = f"{Path(deck.FileName).stem} {name}".strip()
@@ -78,6 +92,8 @@ def _add_shells(part, shells, where: str):
 
 
 def _label(document, wanted: str, where: str) -> str:
-    """Return a label that says where it is if there is one like it: FreeCAD would count its numbers
-    on, "PID 15" to "PID 016"."""
+    """Return a label that is unique through its location.
+
+    FreeCAD would otherwise increment the number in it, "PID 15" to "PID 016".
+    """
     return f"{wanted} ({where})" if document.getObjectsByLabel(wanted) else wanted

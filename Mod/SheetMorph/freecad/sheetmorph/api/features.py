@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Form features: what they may do, their size, and what they keep between them."""
+"""Form features: admissible motions, sizes and relations."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from freecad.sheetmorph.objects.relation import COAXIAL, DISTANCE, GROUP, Relati
 
 
 class Shape(NamedTuple):
-    """What a form feature is where its size can be set."""
+    """The shape of a form feature whose size can be set."""
 
     kind: str  # "hole", "slot" or "cylinder"
     measure: str  # "diameter", "length" or "radius"
@@ -35,12 +35,25 @@ def set_feature_motion(
     direction: Sequence[float] | None = None,
     point: Sequence[float] | None = None,
 ) -> None:
-    """Say what a form feature may do.
+    """Set the admissible motion of a form feature; omitted arguments stay unchanged.
 
-    `kind`: "free", "fixed", "translation" (shifts without turning), "plane" (shifts at right
-    angles to `direction` and turns about it), "line" (shifts along `direction`) or "axis" (turns
-    about the axis through `point` along `direction`). Global; what is left out stays as it is.
-    Raises ValueError.
+    Parameters
+    ----------
+    feature : object
+        The form feature.
+    kind : str
+        "free", "fixed", "translation" (no rotation), "plane" (shifts perpendicular to `direction`
+        and rotations about it), "line" (shifts along `direction`) or "axis" (rotations about the
+        axis through `point` along `direction`).
+    direction : sequence of float, optional
+        Direction (3,), global.
+    point : sequence of float, optional
+        Point (3,), global, mm.
+
+    Raises
+    ------
+    ValueError
+        For an invalid combination.
     """
     require_role(feature, FORM_FEATURE)
     if kind not in MOTIONS:
@@ -59,9 +72,9 @@ def set_feature_motion(
 def set_size(feature, size: float | None) -> None:
     """Set the diameter of a hole, the length of a slot or the radius of a cylinder, mm.
 
-    Its rim becomes an exact circle, slot or cylinder of that size. None: as in the mesh. Raises
-    ValueError: the form feature is nothing of that kind, or cannot be so small; a size that is too
-    large for the sheet is told at the recompute.
+    The rim becomes an exact circle, slot or cylinder of this size. None restores the size of the
+    mesh. The recompute reports a size that is too large for the sheet. Raises ValueError if the
+    feature has another shape, or if the size is not positive.
     """
     require_role(feature, FORM_FEATURE)
     if size is None:
@@ -80,7 +93,7 @@ def set_size(feature, size: float | None) -> None:
 
 
 def shape_of(feature) -> Shape | None:
-    """Return what a form feature is if its size can be set: kind, measure and size; else None."""
+    """Return kind, measure and size of a form feature whose size can be set, or None."""
     require_role(feature, FORM_FEATURE)
     points, triangles = rest_mesh(feature.Part)
     found = kernel.core().feature_shape(points, triangles, model.vertices(feature))
@@ -88,9 +101,9 @@ def shape_of(feature) -> Shape | None:
 
 
 def group(assembly, features: Iterable, label: str = "Group"):
-    """Let form features of one part move as one rigid body; return the relation.
+    """Make form features of one part move as one rigid body and return the relation.
 
-    Raises ValueError: fewer than two, or of several parts.
+    Raises ValueError for fewer than two features, or for features of several parts.
     """
     members = list(features)
     require_features_of(assembly, members)
@@ -103,22 +116,22 @@ def group(assembly, features: Iterable, label: str = "Group"):
 
 
 def coaxial(assembly, a, b, label: str = "Coaxial"):
-    """Let two form features, of one part or of two, keep their common axis; return the relation.
+    """Make two form features, on one or two parts, keep their common axis; return the relation.
 
-    They have to share it at rest; if they do not, the recompute tells by how much.
+    They must share it at rest; otherwise the recompute reports the deviation.
     """
     require_features_of(assembly, [a, b])
     return add_relation(assembly, COAXIAL, [a, b], label)
 
 
 def keep_distance(assembly, a, b, label: str = "Distance"):
-    """Let two form features, of one part or of two, keep the distance of their centres."""
+    """Make two form features, on one or two parts, keep the distance of their centres."""
     require_features_of(assembly, [a, b])
     return add_relation(assembly, DISTANCE, [a, b], label)
 
 
 def add_relation(assembly, kind: str, features: list, label: str):
-    """Add a relation of any type; what `group`, `coaxial` and `keep_distance` share."""
+    """Add a relation of any type, for `group`, `coaxial` and `keep_distance`."""
     relation = assembly.Document.addObject("App::FeaturePython", "Relation")
     RelationProxy(relation)
     relation.Label = label

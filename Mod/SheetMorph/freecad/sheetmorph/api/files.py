@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files: parts read and written in double, and whole morphs as recipes."""
+"""Files: parts read and written in double precision, and whole morphs as recipes."""
 
 from __future__ import annotations
 
@@ -38,13 +38,28 @@ from freecad.sheetmorph.objects.properties import number_of
 
 
 def import_part(assembly, path: str | os.PathLike, label: str | None = None, *, mesh=None):
-    """Read a mesh file into an assembly and return the part; its positions are kept in double.
+    """Read a mesh file into an assembly and return the part; its positions stay in double
+    precision.
 
-    Formats: what `sheetmorph.read_part` reads (OBJ, OFF, PLY, STL, Nastran, VTK, ...). The file
-    is kept in the document, so that `write_parts` can write it again with other coordinates.
-    A CAD file is one part, meshed as `mesh` says; see `import_cad`. So is a deck; `import_deck`
-    makes a part of every property.
-    Raises ValueError or OSError if the file cannot be read.
+    The formats are those of `sheetmorph.read_part` (OBJ, OFF, PLY, STL, Nastran, VTK, ...). The
+    document stores the file, so that `write_parts` can write it again with other coordinates. A CAD
+    file becomes one part; see `import_cad`. A deck becomes one part; see `import_deck`.
+
+    Parameters
+    ----------
+    assembly : object
+        The assembly.
+    path : str or path
+        The file.
+    label : str, optional
+        Label of the part; by default the file name.
+    mesh : dict, optional
+        Mesh sizes for a CAD file.
+
+    Raises
+    ------
+    ValueError, OSError
+        If the file cannot be read.
     """
     require_assembly(assembly)
     path = Path(path)
@@ -66,27 +81,40 @@ def import_part(assembly, path: str | os.PathLike, label: str | None = None, *, 
 
 
 def is_deck(path: str | os.PathLike) -> bool:
-    """Whether a file is one that `import_deck` reads, by its name."""
+    """Return whether `import_deck` reads a file, by its name."""
     package = kernel.load()
     return package.decks.is_deck(package.files.unpacked_name(path))
 
 
 def in_the_way(assembly, place: str | os.PathLike) -> list[Path]:
-    """Return the files of others that `write_parts` and `certify` into a folder, or `export_recipe`
-    to a path that ends in .json, would write over: they refuse that, unless `force` says otherwise.
+    """Return the existing files that a write would need `force` to overwrite.
+
+    The path is a folder for `write_parts` and `certify`, or a file with the suffix .json for
+    `export_recipe`.
     """
     require_assembly(assembly)
     return written.in_the_way(assembly, solving.read_morph(assembly), Path(place))
 
 
 def write_parts(assembly, folder: str | os.PathLike, *, force: bool = False) -> list[Path]:
-    """Write every part, deformed exactly, into `folder` and return the files and the report.
+    """Write every part, deformed exactly, into `folder` and return the files with the report.
 
-    An imported part is written in its own format with only the coordinates changed, any other as
-    OBJ; coordinates are global, in double. Where a part has a deformed shape, that is brought up to
-    date and written beside it as STEP. `report.json` says how good the result is. Either all
-    files appear or none; those that SheetMorph did not write stay, unless `force`. Raises
-    MorphError, ValueError, OSError.
+    An imported part keeps its format, and only its coordinates change. Any other part is written as
+    OBJ. Coordinates are global and in double precision. A deformed shape is updated and written as
+    STEP as well. `report.json` gives the accuracy. Either all files appear or none.
+
+    Parameters
+    ----------
+    assembly : object
+        The assembly.
+    folder : str or path
+        Folder for the parts.
+    force : bool
+        Overwrite files that SheetMorph did not write.
+
+    Raises
+    ------
+    MorphError, ValueError, OSError
     """
     require_assembly(assembly)
     morph = solving.read_morph(assembly)
@@ -98,20 +126,34 @@ def write_parts(assembly, folder: str | os.PathLike, *, force: bool = False) -> 
 
 
 def export_recipe(assembly, path: str | os.PathLike, *, force: bool = False) -> Path:
-    """Write an assembly as a recipe, its parts at rest beside it, and return the path.
+    """Write an assembly as a recipe with its parts at rest, and return the path.
 
-    `python3 -m sheetmorph run` and `import_recipe` give the same morph again, to the last digit.
-    Imported parts whose source was moved have the coordinates of their file and a `placement`.
-    Files that SheetMorph did not write stay, unless `force`. Raises MorphError, ValueError,
-    OSError; then nothing is written.
+    `python3 -m sheetmorph run` and `import_recipe` give the same morph again, to the last digit. An
+    imported part whose source was moved keeps the coordinates of its file and gets a `placement`.
+    If an error is raised, nothing is written.
+
+    Parameters
+    ----------
+    assembly : object
+        The assembly.
+    path : str or path
+        The recipe file.
+    force : bool
+        Overwrite files that SheetMorph did not write.
+
+    Raises
+    ------
+    MorphError, ValueError, OSError
     """
     require_assembly(assembly)
     return write_recipe(assembly, Path(path), force=force)
 
 
 def write_recipe(assembly, path: Path, *, is_placed: bool = True, force: bool = False) -> Path:
-    """Do what `export_recipe` does; if not `is_placed`, parts are written where they stand, as
-    `write_parts` writes them."""
+    """Write a recipe as `export_recipe` does.
+
+    If not `is_placed`, parts are written in global coordinates, as `write_parts` does.
+    """
     morph = solving.read_morph(assembly)
     if not morph.rests:
         raise ValueError(f"The morph '{assembly.Label}' has no part yet; add one first.")
@@ -121,11 +163,24 @@ def write_recipe(assembly, path: Path, *, is_placed: bool = True, force: bool = 
 
 @together()
 def import_recipe(document, path: str | os.PathLike):
-    """Build the assembly that a recipe file describes and return it.
+    """Build the assembly of a recipe file in a document and return it.
 
-    What the recipe leaves to a search (`"auto"`) is found now. Raises ValueError
-    (sheetmorph.RecipeError) with every fault of the recipe, OSError if it cannot be read; then the
-    document is as before.
+    Entries that the recipe leaves to a search (`"auto"`) are found now. If an error is raised, the
+    document is unchanged.
+
+    Parameters
+    ----------
+    document : App.Document
+        The document.
+    path : str or path
+        The recipe file.
+
+    Raises
+    ------
+    ValueError
+        With every fault of the recipe (sheetmorph.RecipeError).
+    OSError
+        If the file cannot be read.
     """
     path = Path(path)
     package = kernel.load()
@@ -150,22 +205,22 @@ def import_recipe(document, path: str | os.PathLike):
     keep_extras(assembly, recipe, regions, found)
     keep_files(assembly, recipe, path.parent)
     add_named_poses(assembly, recipe, regions)
-    assembly.Label = path.stem  # last: where labels clash, those of the parts stay
+    assembly.Label = path.stem  # last, so that the labels of parts stay unchanged if they clash
     return assembly
 
 
 def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
-    """Add what one entry of a recipe's parts stands for; return parts by name in the recipe.
+    """Add the parts of one entry of a recipe and return them by their recipe names.
 
-    The parts of a split file other than a deck, and those that are welded or remeshed, and placed
-    decks, become parts of their own, that know nothing of the file: only so can each be exchanged,
-    removed and written. A placed part has the placement of its source, and can be moved by that.
+    Parts of a split file other than a deck, prepared parts and placed decks become parts without a
+    file. Only then can each of them be replaced, removed and written. The placement of a part
+    becomes that of its source, which moves the part.
     """
     placed = kernel.load().recipe.placement.Placement.of_entry(entry.get("placement") or {})
     is_as_read = all(mesh.preparation is None for mesh in meshes.values())
 
     def own(name: str):
-        """The mesh in the coordinates of its file."""
+        """Return the mesh in the coordinates of its file."""
         mesh = meshes[name].with_indices()
         return replace(mesh, points=placed.taken_back(mesh.points))
 
@@ -192,13 +247,13 @@ def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
 
 
 def place_source(part, placed) -> None:
-    """Let a part stand where a recipe's placement of its file, a Placement, puts it."""
+    """Place a part as a recipe's Placement of its file."""
     turn, shift = np.array(placed.rotation), np.array(placed.translation)
     part.Source.Placement = conversion.standing(turn, shift, read_kept(part).frame.origin)
 
 
 def add_deck_entry(assembly, entry: dict, file: Path) -> dict:
-    """Add the deck of an entry; return its parts by name in the recipe."""
+    """Add the deck of an entry and return its parts by their recipe names."""
     split = {True: "components"}.get(entry.get("split"), entry.get("split") or "")
     settings = {key: entry[key] for key in ("passengers", "joints") if key in entry}
     parts = import_deck(assembly, file, split, settings=settings)

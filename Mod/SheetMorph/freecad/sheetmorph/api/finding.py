@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Form features and contacts that are found on the parts; nothing changes until they are added."""
+"""The search for form features and contacts; it changes nothing until they are added."""
 
 from __future__ import annotations
 
@@ -29,11 +29,25 @@ Vector = tuple[float, float, float]
 class FoundFeature:
     """A feature on a part at rest; global, mm.
 
-    radius: of a circle or curved surface, the inner one of a bend, half the width of a slot, else
-    0; size: the diameter, or the longer extent; residual: largest distance of a vertex from the
-    fitted form; vertices: of its rims and walls; washer: rings of vertices around, the inner first;
-    is_marked: it is a form feature of the document already; angle: how far a bend turns, degrees;
-    unsettled: why its vertices are not certain, in words, empty if they are.
+    Attributes
+    ----------
+    radius : float
+        Radius of a circle or curved surface, inner radius of a bend, half the width of a slot, else
+        0.
+    size : float
+        Diameter, or the larger extent.
+    residual : float
+        Largest distance of a vertex from the fitted shape.
+    vertices : list of int
+        Vertices of its rims and walls.
+    washer : list of list of int
+        Rings of vertices around it, the inner one first.
+    is_marked : bool
+        Whether the document already has a form feature there.
+    angle : float
+        Bend angle, degrees.
+    unsettled : str
+        Why its vertices are uncertain, or an empty text.
     """
 
     part: Any
@@ -53,11 +67,20 @@ class FoundFeature:
 
 @dataclass(frozen=True)
 class FoundContact:
-    """A place where two parts touch; global, mm.
+    """A location where two parts touch; global, mm.
 
-    kind: "bolt", "weld", "flange", "face" or "edge"; type: the contact type proposed; distance:
-    between both sides, median; size: diagonal of the box around both; is_marked: a contact of the
-    document is there already.
+    Attributes
+    ----------
+    kind : str
+        "bolt", "weld", "flange", "face" or "edge".
+    type : str
+        The proposed contact type.
+    distance : float
+        Median distance of both sides.
+    size : float
+        Diagonal of the box around both sides.
+    is_marked : bool
+        Whether the document already has a contact there.
     """
 
     part_a: Any
@@ -76,12 +99,26 @@ class FoundContact:
 def find_features(
     assembly, *, parts: Iterable | None = None, kinds: Iterable[str] | None = HOLES, **options
 ) -> list[FoundFeature]:
-    """Return the features found on the parts of a morph, at rest; nothing is added.
+    """Return the features found on the parts of a morph at rest; nothing is added.
 
-    `parts`: only on these; `kinds`: only of these kinds ("round hole", "slotted hole",
-    "rectangular hole", "hole", "round edge", "plane", "cylinder", "cone", "sphere", "flange",
-    "bead", "emboss", "bend"), None for all. `options`: rings, smallest_radius, largest_radius,
-    roundness, crease_angle (degrees) and others, see `finding.md`. Raises ValueError.
+    Parameters
+    ----------
+    assembly : object
+        The assembly.
+    parts : iterable, optional
+        Search only these parts.
+    kinds : iterable of str or None
+        Return only these kinds ("round hole", "slotted hole", "rectangular hole", "hole", "round
+        edge", "plane", "cylinder", "cone", "sphere", "flange", "bead", "emboss", "bend"); None for
+        all.
+    **options
+        rings, smallest_radius, largest_radius, roundness, crease_angle (degrees) and others, see
+        `finding.md`.
+
+    Raises
+    ------
+    ValueError
+        For invalid options.
     """
     chosen = _parts(assembly, parts)
     found = _find(chosen, {"kinds": kinds, **options}, contacts=False)
@@ -91,11 +128,22 @@ def find_features(
 
 
 def find_contacts(assembly, *, parts: Iterable | None = None, **options) -> list[FoundContact]:
-    """Return the contacts found between the parts of a morph, at rest; nothing is added.
+    """Return the contacts found between the parts of a morph at rest; nothing is added.
 
-    `parts`: only between these; of one alone, between it and all others. `options`: gap (largest
-    distance, mm; proposed if left out), facing_angle (degrees), smallest (vertices of a side),
-    one_per_pair and others, see `finding.md`. Raises ValueError.
+    Parameters
+    ----------
+    assembly : object
+        The assembly.
+    parts : iterable, optional
+        Search only between these parts; for a single part, between it and all others.
+    **options
+        gap (largest distance, mm; proposed by default), facing_angle (degrees), smallest (vertices
+        of a side), one_per_pair and others, see `finding.md`.
+
+    Raises
+    ------
+    ValueError
+        For invalid options, or for fewer than two parts.
     """
     chosen = _parts(assembly, parts)
     alone = chosen if len(chosen) == 1 else []
@@ -111,9 +159,9 @@ def find_contacts(assembly, *, parts: Iterable | None = None, **options) -> list
 
 @together()
 def add_found_features(assembly, found: Iterable[FoundFeature], *, rings: int = 0) -> list:
-    """Add form features for what was found, and return them; those marked already are left out.
+    """Add form features for found ones without an existing feature, and return them.
 
-    `rings`: how many of the washer rings belong to a feature too.
+    `rings` is the number of washer rings to include.
     """
     new = [feature for feature in found if not feature.is_marked]
     return [
@@ -124,7 +172,7 @@ def add_found_features(assembly, found: Iterable[FoundFeature], *, rings: int = 
 
 @together()
 def add_found_contacts(assembly, found: Iterable[FoundContact]) -> list:
-    """Add contacts for what was found, and return them; those marked already are left out."""
+    """Add contacts for found ones without an existing contact, and return them."""
     return [
         add_contact(
             assembly, (one.part_a, one.a), (one.part_b, one.b), label=one.name, type=one.type
@@ -135,10 +183,10 @@ def add_found_contacts(assembly, found: Iterable[FoundContact]) -> list:
 
 
 def with_washers(assembly, found: list[FoundFeature], rings: int) -> list[list[int]]:
-    """Return for each feature its vertices and those of so many rings around it, sorted.
+    """Return for each feature its vertices with those of a number of rings, sorted.
 
-    A ring that touches another of the features or a region of the document is left out, with those
-    outside it: two features cannot share vertices.
+    Two features must not share vertices. Therefore rings stop before one that touches another
+    feature or a region of the document.
     """
     taken: dict[str, set[int]] = {one.part.Name: set() for one in found}
     for one in found:
@@ -167,8 +215,8 @@ def _parts(assembly, parts: Iterable | None) -> list:
 
 
 def _find(parts: list, options: dict, *, contacts: bool):
-    """What the package finds; object names stand for parts."""
-    kernel.core()  # says what is wrong with it in words
+    """Return the search result of the package, with object names as part names."""
+    kernel.core()  # raises an error with a remedy if the kernel is unusable
     from sheetmorph import PartMesh
     from sheetmorph.finding import FindOptions, FindPart, find
     from sheetmorph.finding.options import KINDS
@@ -196,7 +244,7 @@ def _find(parts: list, options: dict, *, contacts: bool):
 
 
 def kept_of(part) -> dict:
-    """What was found on the mesh that a part rests on, for the next search; empty at first."""
+    """Return the cache of features found on the rest mesh of a part."""
     return snapshot_of(part.Source).derived("found features", read_rest(part).digest, dict)
 
 
@@ -243,7 +291,7 @@ def _contact(parts: dict, entry: dict, marked: list) -> FoundContact:
 
 
 def _marked_vertices(assembly, part) -> set[int]:
-    """The vertices of a part that are in form features already."""
+    """Return the vertices of a part that already belong to form features."""
     found: set[int] = set()
     for region in model.regions(assembly, part):
         if region.Role == FORM_FEATURE:

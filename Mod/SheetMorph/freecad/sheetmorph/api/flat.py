@@ -12,20 +12,33 @@ from freecad.sheetmorph.bridge.rest import read_rest
 from freecad.sheetmorph.objects import assembly_of, model
 from freecad.sheetmorph.objects.properties import number_of
 
-# Between the assembly and its blanks, a share of their size.
+# Distance between the assembly and its blanks, as a share of their size.
 _GAP = 0.1
 
 
 def flatten(
     part, thickness: float | None = None, limit: float = 1.0, at_rest: bool = False
 ) -> list:
-    """Lay the deformed part flat: return a sketch a piece, its outline and holes.
+    """Flatten the deformed part and return one sketch per piece, with its outline and holes.
 
-    Bend lines are a dashed sketch of their own with each. thickness: mm, of an open sheet, for the
-    allowances of bends; the part's own if left out. limit: percent that 99 % of the area may be
-    stretched by. at_rest: the blank of the part at rest lies beside it and is returned too, if the
-    part has moved. It is kinematic, no forming simulation. Raises ValueError, RuntimeError for what
-    cannot be laid flat.
+    Bend lines are in a separate dashed sketch. The pattern is kinematic, without a forming
+    simulation.
+
+    Parameters
+    ----------
+    part : object
+        The part.
+    thickness : float, optional
+        Thickness of an open sheet for the bend allowances, mm; by default that of the part.
+    limit : float
+        Largest stretch of 99 % of the area, percent.
+    at_rest : bool
+        Also return the blank of the part at rest, if the part has moved.
+
+    Raises
+    ------
+    ValueError, RuntimeError
+        If the part cannot be flattened.
     """
     require_kind(part, model.PART, "part")
     rest = read_rest(part)
@@ -51,7 +64,7 @@ def flatten(
 
 
 def _beside(part) -> FreeCAD.Vector:
-    """Where the first blank has its lower left corner: right of all parts, none hides it."""
+    """Return the lower left corner of the first blank, to the right of all parts."""
     boxes = [entry.Mesh.BoundBox for entry in model.parts(assembly_of(part))]
     whole = FreeCAD.BoundBox()
     for box in boxes:

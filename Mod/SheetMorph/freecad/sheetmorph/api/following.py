@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Regions and sides of contacts on a changed mesh of their part: followed, or a question."""
+"""Transfer of regions and contact sides to a changed mesh of their part, or a question."""
 
 from __future__ import annotations
 
@@ -15,15 +15,16 @@ from freecad.sheetmorph.objects import assembly_of, model
 from freecad.sheetmorph.tools import sentences
 
 MOST_SHOWN = 4
-_asked: dict[str, dict] = {}  # of the last Unbound: FreeCAD keeps only the text of an error
+# questions of the last Unbound, because FreeCAD keeps only the text of an error
+_asked: dict[str, dict] = {}
 
 
 class Unbound(ValueError):
     """Regions whose hole or face has no certain match on the changed part.
 
-    `unbound`: by name of the object (of a side of a contact with `.a` or `.b`) a dict with `label`,
-    `was`, a sentence, and `candidates`, each with `text` and `place` (mm, of the part's file). A
-    place, or a selector, is the answer that `bindings` takes.
+    `unbound` maps the name of an object (with `.a` or `.b` for a contact side) to a dict. It has
+    `label`, `was`, a sentence, and `candidates`, each with `text` and `place` (mm, in file
+    coordinates). `bindings` accepts a position or a selector as the answer.
     """
 
     def __init__(self, part, unbound: dict[str, dict]):
@@ -40,12 +41,12 @@ class Unbound(ValueError):
 
 
 def asked() -> dict[str, dict]:
-    """Return what was not certain since `forget`, as `Unbound.unbound`."""
+    """Return the questions since `forget`, in the form of `Unbound.unbound`."""
     return dict(_asked)
 
 
 def forget() -> None:
-    """Forget what was not certain."""
+    """Clear the list of questions."""
     _asked.clear()
 
 
@@ -59,8 +60,11 @@ def spoken(asked: dict) -> str:
 
 @dataclass(frozen=True)
 class Change:
-    """Another mesh of a part: what finds old vertices on it, itself in file coordinates, how many
-    times as large it is, and the answers of the user by name of the object."""
+    """A changed mesh of a part.
+
+    placed maps old vertices to it. made is the mesh in file coordinates, and scale its size
+    relative to the old one. bindings has the user's answers by object name.
+    """
 
     placed: Any
     made: Any
@@ -71,10 +75,11 @@ class Change:
 def moved_vertices(
     part, change: Change, told: dict[str, str]
 ) -> list[tuple[Any, str, np.ndarray, str]]:
-    """Return what is picked on a part on its new mesh: object, side, vertices, selector.
+    """Return the picked regions on the new mesh: object, side, vertices, selector.
 
-    `told` gets, by its name, a sentence on each that became another one. Raises Unbound, a
-    ValueError, if the match of one is not certain, ValueError if one would have no vertex left.
+    The dict `told` receives a sentence, by object name, for each region that changed. Raises
+    Unbound, a ValueError, for an uncertain match, and ValueError if a region would lose all
+    vertices.
     """
     assembly = assembly_of(part)
     found = [(region, "") for region in model.regions(assembly, part)]
@@ -101,7 +106,7 @@ def moved_vertices(
 
 
 def keep_moved(moved: list) -> None:
-    """Give regions and sides of contacts what `moved_vertices` returned."""
+    """Store the result of `moved_vertices` in regions and contact sides."""
     for owner, side, vertices, where in moved:
         if side:
             model.set_contact_vertices(owner, side, vertices, where)
@@ -110,12 +115,12 @@ def keep_moved(moved: list) -> None:
 
 
 def name_of(owner, side: str) -> str:
-    """Return the key of an object, or of a side of it, in `bindings`."""
+    """Return the key of an object, or of one side of it, in `bindings`."""
     return f"{owner.Name}.{side}" if side else owner.Name
 
 
 class Follower:
-    """Finds what is picked on a part on a changed mesh."""
+    """The search for the picked regions of a part on its changed mesh."""
 
     def __init__(self, part, change: Change):
         self.change = change
@@ -126,7 +131,7 @@ class Follower:
         self.question = selecting.question_type()
 
     def followed(self, owner, side: str) -> tuple[np.ndarray, str, str]:
-        """Return vertices, selector and what differs of one; Question of the package."""
+        """Return vertices, selector and differences of a region; raise Question of the package."""
         before = selecting.sentence_of(owner, side)
         answer = self.answer(owner, side)
         if isinstance(answer, (dict, list)) and selecting.is_selector(answer):
@@ -147,13 +152,15 @@ class Follower:
         return found.chosen.vertices, json.dumps(found.where), text
 
     def answer(self, owner, side: str) -> Any:
-        """Return what the user says that an object is now; None if nothing."""
+        """Return the user's answer for an object, or None."""
         bindings = self.change.bindings
         return bindings.get(name_of(owner, side), bindings.get(owner.Label))
 
     def nearest(self, owner, side: str, answer) -> tuple[np.ndarray, str, str]:
-        """Return the same of an object whose vertices alone are known: the nearest ones, if they
-        hold the same holes."""
+        """Return the nearest vertices for an object without a selector.
+
+        Raises Question if they do not contain the same holes.
+        """
         old = model.contact_vertices(owner, side) if side else model.vertices(owner)
         vertices, _ = self.change.placed.find(old)
         if answer is not None:
@@ -164,7 +171,7 @@ class Follower:
 
 
 def place_of(answer, owner) -> np.ndarray:
-    """Return the place that a user gave as an answer, or raise ValueError."""
+    """Return the position that the user gave as an answer, or raise ValueError."""
     place = np.asarray(answer, dtype=float)
     if place.shape != (3,) or not np.isfinite(place).all():
         raise ValueError(f"The binding of '{owner.Label}' is no place [x, y, z] and no selector.")

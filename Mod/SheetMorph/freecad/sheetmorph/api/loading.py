@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A recipe's regions and pose as document objects; the recipe has been validated before."""
+"""The regions and the pose of a validated recipe as document objects."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ WORDS = (
     ("coaxial", "coaxial"),
     ("distance", "distance"),
 )
-"""What the entries of a list in a recipe are called that have no name: fixed0, fixed1, ..."""
+"""Names of recipe entries without a name: fixed0, fixed1, ..."""
 ADDERS = (
     ("fixed", add_fixed),
     ("handles", add_handle),
@@ -45,7 +45,7 @@ ADDERS = (
 
 
 def with_names(recipe: dict) -> dict:
-    """Return a recipe whose entries all have the names that others may call them."""
+    """Return a recipe with a name for every entry."""
     named = dict(recipe)
     for key, word in WORDS:
         entries = recipe.get(key, [])
@@ -54,16 +54,16 @@ def with_names(recipe: dict) -> dict:
 
 
 def add_regions(assembly, recipe: dict, parts: dict, meshes: dict) -> dict:
-    """Add all regions of a recipe and return them by their name in it.
+    """Add all regions of a recipe and return them by their recipe names.
 
-    `recipe`: from `with_names`; by name of the part in the recipe: `parts` and `meshes`, which
-    know the ids of the file.
+    `recipe` comes from `with_names`. `parts` and `meshes` are by recipe name, and the meshes have
+    the file ids.
     """
     added = {}
     for key, add in ADDERS:
         for entry in recipe[key]:
             if "vertices" not in entry:
-                continue  # a handle that is a point on a triangle: kept as an extra
+                continue  # a handle at a point on a triangle is stored as an extra
             vertices, name = vertices_of(entry, meshes), entry["name"]
             added[name] = add(assembly, parts[entry["part"]], vertices, name)
             keep_sentence(added[name], entry.get(SENTENCE))
@@ -71,17 +71,17 @@ def add_regions(assembly, recipe: dict, parts: dict, meshes: dict) -> dict:
 
 
 def vertices_of(entry: dict, meshes: dict) -> np.ndarray:
-    """Return the vertices (k,) of a region or a side of a contact on its mesh."""
+    """Return the vertices (k,) of a region or a contact side on its mesh."""
     is_prepared = entry.get("ids") == "prepared"
     return meshes[entry["part"]].find(entry["vertices"], is_prepared)[0]
 
 
 SENTENCE = "where it was"
-"""A key, of no recipe, with what a region said before it was resolved."""
+"""Internal key with the selector of a region before it was resolved."""
 
 
 def with_sentences(recipe: dict, written: dict) -> dict:
-    """Return a recipe from `with_names` whose regions still know what they said in the file."""
+    """Return a recipe from `with_names` with the original selectors of its regions."""
     told = dict(recipe)
     for key, _ in ADDERS:
         said = written.get(key)
@@ -106,7 +106,7 @@ def with_sentences(recipe: dict, written: dict) -> dict:
 
 
 def add_driven(assembly, recipe: dict, parts: dict, meshes: dict) -> None:
-    """Add a follower for what a part says of itself is driven; arguments as for `add_regions`."""
+    """Add a follower for the key `driven` of each part; arguments as for `add_regions`."""
     for entry in recipe["parts"]:
         if "driven" in entry:
             name = entry["name"]
@@ -116,13 +116,13 @@ def add_driven(assembly, recipe: dict, parts: dict, meshes: dict) -> None:
 
 
 def keep_sentence(region, where) -> None:
-    """Let a region say what it is, if that gives just its vertices in the document too."""
+    """Store the selector of a region if it gives the same vertices in the document."""
     if says(region.Part, where, model.vertices(region)):
         model.set_vertices(region, model.vertices(region), json.dumps(where))
 
 
 def says(part, where, vertices: np.ndarray) -> bool:
-    """Whether a selector, None for none, stands for just these vertices (k,) of a part."""
+    """Return whether a selector, or None, gives exactly these vertices (k,) of a part."""
     try:
         return where is not None and np.array_equal(selecting.select(part, where), vertices)
     except ValueError:
@@ -144,7 +144,7 @@ def add_contacts(assembly, recipe: dict, parts: dict, meshes: dict) -> None:
 
 
 def apply_propagation(assembly, recipe: dict) -> None:
-    """Set how the motion reaches the other parts as a recipe has it."""
+    """Set the propagation of a recipe."""
     wanted = recipe.get("propagation", {})
     set_propagation(
         assembly,
@@ -155,7 +155,7 @@ def apply_propagation(assembly, recipe: dict) -> None:
 
 
 def add_relations(assembly, recipe: dict, regions: dict) -> None:
-    """Add the groups and pairs of form features; `regions`: from `add_regions`."""
+    """Add the groups and pairs of form features; `regions` comes from `add_regions`."""
     for kind, key in RELATION_KEYS.items():
         for entry in recipe[key]:
             features = [regions[name] for name in entry["features"]]
@@ -163,7 +163,7 @@ def add_relations(assembly, recipe: dict, regions: dict) -> None:
 
 
 def apply_options(assembly, recipe: dict) -> None:
-    """Set symmetry, refinement and what becomes of loose pieces as a recipe has them."""
+    """Set symmetry, refinement and the behaviour of loose pieces from a recipe."""
     if "symmetry" in recipe:
         set_symmetry(assembly, recipe["symmetry"]["normal"], recipe["symmetry"]["point"])
     set_refine(assembly, recipe.get("refine", False))
@@ -171,7 +171,7 @@ def apply_options(assembly, recipe: dict) -> None:
 
 
 def apply_allowed(feature, entry: dict) -> None:
-    """Set one feature's motion and size from its entry in a recipe."""
+    """Set motion and size of a feature from its recipe entry."""
     motion = entry.get("motion", {})
     direction = motion.get("normal", motion.get("direction"))
     kind = motion.get("type", FREE)
@@ -184,7 +184,7 @@ def apply_allowed(feature, entry: dict) -> None:
 
 
 def apply_pose(regions: dict, recipe: dict) -> None:
-    """Set motions of handles, rotations, motions and sizes of features as a recipe has them."""
+    """Set motions of handles, and rotations, motions and sizes of features from a recipe."""
     pose = recipe.get("pose", {})
     for entry in recipe["handles"]:
         region = regions.get(entry["name"])
@@ -198,12 +198,12 @@ def apply_pose(regions: dict, recipe: dict) -> None:
 
 
 def pick(entry: dict, key: str) -> dict:
-    """Return a dict with `key` alone, empty if the entry lacks it."""
+    """Return a dict with only `key`, empty if the entry lacks it."""
     return {key: entry[key]} if key in entry else {}
 
 
 def apply_rotation(feature, rotation: str | dict) -> None:
-    """Set one feature's rotation from its entry in a recipe or a pose."""
+    """Set the rotation of a feature from its entry in a recipe or a pose."""
     if isinstance(rotation, dict):
         degrees = rotation["degrees"]
         axis = rotation["axis"] if degrees != 0 else (0, 0, 1)
@@ -213,7 +213,7 @@ def apply_rotation(feature, rotation: str | dict) -> None:
 
 
 def keep_extras(assembly, recipe: dict, regions: dict, parts: dict) -> None:
-    """Keep in the document what a recipe says beyond regions: points, and what moves them."""
+    """Store recipe data without regions in the document: points, and their motions."""
     point_handles = [entry for entry in recipe["handles"] if "vertices" not in entry]
     extras = {
         key: [{**entry, "part": parts[entry["part"]].Name} for entry in entries]
@@ -226,8 +226,10 @@ def keep_extras(assembly, recipe: dict, regions: dict, parts: dict) -> None:
 
 
 def keep_files(assembly, recipe: dict, folder: Path) -> None:
-    """Keep in the document what a recipe, its files relative to `folder`, says of others than those
-    of parts: repair, and files of welds and bolts."""
+    """Store the repair criteria and joint files of a recipe in the document.
+
+    Paths are relative to `folder`.
+    """
     joints = recipe.get("joint_files", [])
     repair = {True: "standard", False: ""}.get(recipe.get("repair", ""), recipe.get("repair", ""))
     asked = [folder / name for name in (repair, *(one["file"] for one in joints))]

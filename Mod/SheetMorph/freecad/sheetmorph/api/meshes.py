@@ -11,10 +11,10 @@ from freecad.sheetmorph.bridge.rest import write_rest_data
 
 
 def add_mesh(assembly, mesh, label: str, features: list[dict] = (), *, of_deck: dict | None = None):
-    """Add a mesh of the package, a sheetmorph.PartMesh, as a part that keeps its doubles.
+    """Add a sheetmorph.PartMesh as a part that keeps its double precision.
 
-    `features`: what is known exactly about it, see `exact_features`; `of_deck`: where its vertices
-    are in a deck, and its elements, see `import_deck`.
+    `features` are its exact features, see `exact_features`. `of_deck` has its vertices in a deck
+    and its elements, see `import_deck`.
     """
     origin = conversion.near_origin(mesh.points)
     source = assembly.Document.addObject("Mesh::Feature", "Rest")

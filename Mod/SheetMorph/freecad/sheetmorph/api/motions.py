@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What moves: handles, prescribed rotations of form features, and the deformed positions."""
+"""Motions: handles, prescribed rotations of form features, and the deformed positions."""
 
 from __future__ import annotations
 
@@ -25,10 +25,25 @@ def set_motion(
     *,
     pivot: Sequence[float] | str | None = None,
 ) -> None:
-    """Move a handle, always from rest; what is left out stays as it is.
+    """Move a handle, always from rest; omitted arguments stay unchanged.
 
-    `translation` (3,) mm; `axis` (3,) and `angle` in degrees, any number of turns; `pivot` (3,)
-    mm, the point it turns about, or "centroid". All global. Raises ValueError.
+    Parameters
+    ----------
+    handle : object
+        The handle.
+    translation : sequence of float, optional
+        Translation (3,), global, mm.
+    axis : sequence of float, optional
+        Rotation axis (3,), global.
+    angle : float, optional
+        Rotation angle, degrees, with any number of turns.
+    pivot : sequence of float or str, optional
+        Centre of rotation (3,), global, mm, or "centroid".
+
+    Raises
+    ------
+    ValueError
+        For invalid values.
     """
     require_role(handle, HANDLE)
     shift = None if translation is None else vector(translation, "translation")
@@ -46,12 +61,13 @@ def set_motion(
         handle.Angle = turn
     if point is not None:
         handle.PivotAtCentroid, handle.Pivot = False, point
-    elif pivot is not None and not handle.PivotAtCentroid:  # where it is costs reading the mesh
+    # the position of the centroid requires reading the mesh
+    elif pivot is not None and not handle.PivotAtCentroid:
         handle.PivotAtCentroid, handle.Pivot = True, rest_centroid(handle)
 
 
 def put(region, motion: Motion) -> None:
-    """Give a handle a motion, or a form feature its rotation."""
+    """Set the motion of a handle, or the rotation of a form feature."""
     if region.Role == HANDLE:
         set_motion(region, **motion.arguments())
     else:
@@ -59,13 +75,13 @@ def put(region, motion: Motion) -> None:
 
 
 def reset_motion(handle) -> None:
-    """Put a handle back to rest: no translation, no rotation, turning about its centroid."""
+    """Return a handle to rest: no translation, no rotation, pivot at its centroid."""
     require_role(handle, HANDLE)
     put(handle, Motion())
 
 
 def pivot(handle) -> FreeCAD.Vector:
-    """Return the point a handle turns about, global at rest, mm."""
+    """Return the centre of rotation of a handle, global at rest, mm."""
     require_role(handle, HANDLE)
     if handle.PivotAtCentroid:
         return rest_centroid(handle)
@@ -73,21 +89,25 @@ def pivot(handle) -> FreeCAD.Vector:
 
 
 def rest_centroid(region) -> FreeCAD.Vector:
-    """Return the mean of the rest positions of a region's vertices, global, mm."""
+    """Return the mean rest position of a region's vertices, global, mm."""
     points = read_rest(region.Part).points[model.vertices(region)]
     return FreeCAD.Vector(*np.mean(points, axis=0).tolist())
 
 
 def set_free_rotation(handle, free: bool) -> None:
-    """Let the sheet decide how a handle turns: it is only shifted then; or turn it yourself."""
+    """Let the sheet determine the rotation of a handle, or prescribe it.
+
+    A handle with free rotation is only translated.
+    """
     require_role(handle, HANDLE)
     handle.FreeRotation = bool(free)
 
 
 def set_rotation(feature, rotation: str | Sequence) -> None:
-    """Say how a form feature turns: "free", "interpolated", or `(axis (3,), degrees)`.
+    """Set the rotation of a form feature: "free", "interpolated", or `(axis (3,), degrees)`.
 
-    Free: as a rigid body in an elastic sheet; interpolated: as the handles around it turn.
+    With "free" it rotates as a rigid body in an elastic sheet, with "interpolated" as the handles
+    around it.
     """
     require_role(feature, FORM_FEATURE)
     if isinstance(rotation, str) and rotation in (FREE, INTERPOLATED):
@@ -107,9 +127,9 @@ def set_rotation(feature, rotation: str | Sequence) -> None:
 def deform(assembly, exact: bool = True) -> dict[str, np.ndarray]:
     """Return the deformed positions (n, 3) float64, global, mm, of every part by `part.Name`.
 
-    The properties of the document decide; nothing in it is changed and no recompute is needed.
-    Not `exact` is good to 1e-6 of the size. Raises freecad.sheetmorph.objects.errors.MorphError, a
-    ValueError, with one sentence.
+    The properties of the document define the pose. The document does not change, and no recompute
+    is needed. Without `exact` the accuracy is 1e-6 of the size. Raises
+    freecad.sheetmorph.objects.errors.MorphError, a ValueError, with one sentence.
     """
     require_assembly(assembly)
     return solving.deform(assembly, exact)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From what a user points at to vertices."""
+"""From items that the user points at to vertices."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ def rest_mesh(part) -> tuple[np.ndarray, np.ndarray]:
 
 
 def diagnose(part) -> dict:
-    """Return what a part is and what is wrong with its mesh; nothing is changed.
+    """Return the diagnosis of a part's mesh; nothing is changed.
 
     The keys are those of `python3 -m sheetmorph doctor`: kind, thickness, counts, findings with
-    the cure each offers, and more.
+    their cures, and more.
     """
     points, triangles = rest_mesh(part)
     package = kernel.load()
@@ -38,7 +38,7 @@ def diagnose(part) -> dict:
 def global_frame(part) -> tuple[np.ndarray, np.ndarray]:
     """Return rotation (3, 3) and base (3,) of a part: global = local @ rotation.T + base, mm.
 
-    Local are the coordinates of its mesh as FreeCAD stores and draws it.
+    Local coordinates are those of its mesh as FreeCAD stores and draws it.
     """
     require_kind(part, model.PART, "part")
     frame = seen.frame_of(part)
@@ -46,16 +46,16 @@ def global_frame(part) -> tuple[np.ndarray, np.ndarray]:
 
 
 def vertices_of_facets(part, facets: Iterable[int]) -> list[int]:
-    """Return the vertices of facets (triangle indices) of a part, sorted, once each."""
+    """Return the sorted unique vertices of facets (triangle indices) of a part."""
     _, triangles = rest_mesh(part)
     chosen = indices(facets, len(triangles), "facet")
     return np.unique(triangles[chosen]).tolist()
 
 
 def face(part, facet: int, angle: float = 30.0) -> list[int]:
-    """Return the vertices of the face around a facet, sorted.
+    """Return the sorted vertices of the face around a facet.
 
-    It ends where the surface bends by `angle` degrees or more.
+    The face ends at bends of at least `angle` degrees.
     """
     mesh = mesh_at_rest(part)
     chosen = indices([facet], len(mesh.triangles), "facet")
@@ -63,35 +63,43 @@ def face(part, facet: int, angle: float = 30.0) -> list[int]:
 
 
 def piece(part, facet: int) -> list[int]:
-    """Return the vertices that are connected with a facet, sorted: often the whole part."""
+    """Return the sorted vertices connected with a facet, often the whole part."""
     mesh = mesh_at_rest(part)
     return mesh.piece(int(indices([facet], len(mesh.triangles), "facet")[0])).tolist()
 
 
 def grow(part, vertices: Iterable[int], rings: int = 1) -> list[int]:
-    """Return the vertices and so many rings of neighbours, sorted."""
+    """Return the vertices with a number of rings of neighbours, sorted."""
     return mesh_at_rest(part).grown(checked(part, vertices), rings).tolist()
 
 
 def shrink(part, vertices: Iterable[int], rings: int = 1) -> list[int]:
-    """Return the vertices without so many outermost rings, sorted.
+    """Return the vertices without a number of outermost rings, sorted.
 
-    Where the mesh ends it does not shrink.
+    The region does not shrink at borders of the mesh.
     """
     return mesh_at_rest(part).shrunk(checked(part, vertices), rings).tolist()
 
 
 def invert(part, vertices: Iterable[int]) -> list[int]:
-    """Return the vertices of the part, of those in a facet, that are not among these, sorted."""
+    """Return the used vertices of the part that are not among the given ones, sorted."""
     return np.setdiff1d(mesh_at_rest(part).used, checked(part, vertices)).tolist()
 
 
 def vertices_inside(part, outline, camera: tuple, *, through: bool = False) -> list[int]:
-    """Return the vertices of a part, as it is now, seen inside a closed figure, sorted.
+    """Return the sorted vertices of the displayed part inside a closed figure in the view.
 
-    `outline`: (k, 2) px from the lower left corner of the view. `camera`: a matrix (4, 4) from
-    (x, y, z, 1), global mm, to the clip coordinates of OpenGL, and width and height of the view,
-    px. `through`: also those that the part itself or another part of its morph hides.
+    Parameters
+    ----------
+    part : object
+        The part.
+    outline : array (k, 2)
+        The figure, px from the lower left corner of the view.
+    camera : tuple
+        Matrix (4, 4) from (x, y, z, 1), global mm, to clip coordinates of OpenGL; width and height
+        of the view, px.
+    through : bool
+        Include vertices hidden by the part or by another part of its morph.
     """
     require_kind(part, model.PART, "part")
     to_clip, width, height = camera
@@ -103,10 +111,10 @@ def vertices_inside(part, outline, camera: tuple, *, through: bool = False) -> l
 
 
 def hole_rim(part, vertex: int, rings: int = 0) -> list[int]:
-    """Return the vertices of the open edge that runs through `vertex`, sorted.
+    """Return the sorted vertices of the open edge through `vertex`.
 
-    `rings`: how many rings of vertices around the rim belong to it too, such as a flange.
-    Raises ValueError if the vertex is on no open edge.
+    `rings` is the number of rings of vertices around the rim to include, such as a flange. Raises
+    ValueError if the vertex is not on an open edge.
     """
     return mesh_at_rest(part).rim_at(int(checked(part, [vertex])[0]), int(rings)).tolist()
 
@@ -114,8 +122,8 @@ def hole_rim(part, vertex: int, rings: int = 0) -> list[int]:
 def hole_rims(part) -> list[list[int]]:
     """Return the rims of all holes of a part, each sorted.
 
-    A hole is a closed open edge. The longest one of each connected component is its outline, if
-    it goes round more than half of it: a sheet whose outline runs into others has holes alone.
+    A hole is a closed boundary. The longest boundary of each connected component is its outline if
+    it encloses more than half of the component.
     """
     return [rim.tolist() for rim in mesh_at_rest(part).hole_rims(0)]
 
@@ -126,7 +134,7 @@ def checked(part, vertices: Iterable[int]) -> np.ndarray:
 
 
 def mesh_at_rest(part) -> PartMesh:
-    """Return what can be picked on a part at rest; raises KernelError."""
+    """Return the pickable mesh of a part at rest. Raises KernelError."""
     require_kind(part, model.PART, "part")
     rest = read_rest(part)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Poses: kept by name, come back to, blended, compared, and taken out as ordinary meshes."""
+"""Poses: saved by name, applied, blended, compared, and copied as plain meshes."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from freecad.sheetmorph.tools.motion import Motion, motion_from
 
 
 def save_pose(assembly, label: str = "Pose"):
-    """Keep the present motions, prescribed rotations and sizes, and return the pose."""
+    """Save the current motions, prescribed rotations and sizes, and return the pose."""
     require_assembly(assembly)
     return add_pose(assembly, label, present(assembly), sizes_of(assembly))
 
@@ -44,15 +44,16 @@ def poses(assembly) -> list:
 
 
 def apply_pose(pose) -> None:
-    """Move all handles to where they were when the pose was saved; new ones go to rest."""
+    """Restore the motions and sizes of a saved pose; handles added later return to rest."""
     blend_poses(pose, pose, 0.0)
 
 
 def blend_poses(first, second, weight: float) -> None:
-    """Move all handles between two poses of one assembly: the first at 0, the second at 1.
+    """Interpolate all handles between two poses of one assembly: the first at 0, the second at 1.
 
-    One of them may be None: at rest, sizes as in the mesh. Translations, pivots and sizes go
-    straight, rotations by angle. A weight outside 0 .. 1 goes beyond. Raises ValueError.
+    One of them may be None, for rest with the sizes of the mesh. Translations, pivots and sizes are
+    interpolated linearly, rotations by angle. A weight outside 0 .. 1 extrapolates. Raises
+    ValueError.
     """
     assembly = assembly_of_poses(first, second)
     share = number(weight, "weight")
@@ -66,9 +67,9 @@ def blend_poses(first, second, weight: float) -> None:
 
 
 def compare_poses(first, second) -> dict[str, tuple[float, float]]:
-    """Return how far two poses of one assembly are apart, by `part.Name`: largest and mean, mm.
+    """Return the largest and mean distance between two poses by `part.Name`, mm.
 
-    One of them may be None: at rest. Nothing in the document is changed. Raises ValueError.
+    One of them may be None, for rest. The document does not change. Raises ValueError.
     """
     assembly = assembly_of_poses(first, second)
     one, other = (deform_in(assembly, pose) for pose in (first, second))
@@ -77,9 +78,9 @@ def compare_poses(first, second) -> dict[str, tuple[float, float]]:
 
 
 def copy_as_meshes(assembly, pose=None, label: str | None = None):
-    """Return a new group of ordinary meshes, one a part: the assembly in a pose, the present one.
+    """Return a new group of plain meshes, one per part, in a pose or in the current state.
 
-    They depend on nothing and stay as they are. Raises ValueError.
+    The meshes do not depend on other objects. Raises ValueError.
     """
     require_assembly(assembly)
     if pose is not None and assembly_of_poses(pose, pose) != assembly:
@@ -101,9 +102,10 @@ def copy_as_meshes(assembly, pose=None, label: str | None = None):
 
 
 def copy_in_pose(pose, label: str | None = None):
-    """Copy the assembly of a pose with all it holds, put the copy into the pose and return it.
+    """Copy the assembly of a pose with its content, apply the pose to the copy and return it.
 
-    The original stays as it is. `label`: default the assembly's and the pose's. Raises ValueError.
+    The original does not change. By default the `label` is that of the assembly and the pose.
+    Raises ValueError.
     """
     assembly = assembly_of_poses(pose, pose)
     place = model.poses(assembly).index(pose)
@@ -114,7 +116,7 @@ def copy_in_pose(pose, label: str | None = None):
 
 
 def named_poses(assembly, names: dict[str, str]) -> dict[str, dict]:
-    """Return all poses as a recipe has them; `names`: in the recipe by document object name."""
+    """Return all poses in the form of a recipe; `names` maps object names to recipe names."""
     return {
         pose.Label: {names[name]: moved.entry() for name, moved in told_in(assembly, pose).items()}
         for pose in model.poses(assembly)
@@ -122,9 +124,9 @@ def named_poses(assembly, names: dict[str, str]) -> dict[str, dict]:
 
 
 def add_named_poses(assembly, recipe: dict, regions: dict) -> None:
-    """Add the poses of a recipe; `regions` by their name in it.
+    """Add the poses of a recipe; `regions` are by their recipe names.
 
-    A pose object knows no targets of points: those of a recipe stay behind, and that is told.
+    A pose object has no targets of points, so they are omitted with a warning.
     """
     for label, entries in recipe.get("poses", {}).items():
         known = {regions[name]: entry for name, entry in entries.items() if name in regions}
@@ -140,13 +142,13 @@ def add_named_poses(assembly, recipe: dict, regions: dict) -> None:
 
 
 def motion_told(region, entry: dict) -> Motion:
-    """Return a recipe's entry as a motion; the pivot stays where it tells none."""
+    """Return a recipe entry as a motion; without a pivot it keeps the current one."""
     motion = motion_from(entry)
     return motion if "pivot" in entry else replace(motion, pivot=motion_of(region).pivot)
 
 
 def assembly_of_poses(first, second):
-    """Return the assembly of two poses, one of which may be None; raises ValueError."""
+    """Return the assembly of two poses, one of which may be None. Raises ValueError."""
     given = [pose for pose in (first, second) if pose is not None]
     if not given:
         raise ValueError("Both poses are None; pass one pose at least.")
@@ -159,7 +161,7 @@ def assembly_of_poses(first, second):
 
 
 def moving(assembly) -> list:
-    """Return the regions that a pose tells about: handles and prescribed rotations."""
+    """Return the regions in a pose: handles and prescribed rotations."""
     return [
         region
         for region in model.regions(assembly)
@@ -171,17 +173,17 @@ def moving(assembly) -> list:
 
 
 def present(assembly) -> tools.Pose:
-    """Return the motions that the document has."""
+    """Return the current motions of the document."""
     return {region.Name: motion_of(region) for region in moving(assembly)}
 
 
 def snapshot(assembly) -> tools.Snapshot:
-    """Return the motions and sizes that the document has."""
+    """Return the current motions and sizes of the document."""
     return tools.Snapshot(present(assembly), sizes_of(assembly))
 
 
 def restore(assembly, wanted: tools.Snapshot) -> None:
-    """Give the document what a snapshot has, as far as the regions are still there."""
+    """Restore a snapshot for all regions that still exist."""
     now, document = snapshot(assembly), assembly.Document
     for name, motion in wanted.motions.items():
         if now.motions.get(name, motion) != motion:
@@ -192,19 +194,19 @@ def restore(assembly, wanted: tools.Snapshot) -> None:
 
 
 def motions_in(assembly, pose) -> tools.Pose:
-    """Return the motion of everything that moves in a pose, None for rest."""
+    """Return the motion of every moving region in a pose, or at rest for None."""
     kept = kept_motions(pose) if pose is not None else {}
     return {region.Name: kept.get(region.Name, Motion()) for region in moving(assembly)}
 
 
 def sizes_of(assembly) -> dict[str, float]:
-    """Return the size of every form feature by `region.Name`, mm; 0: as in the mesh."""
+    """Return the size of every form feature by `region.Name`, mm; 0 for that of the mesh."""
     features = [r for r in model.regions(assembly) if r.Role == FORM_FEATURE and r.Part is not None]
     return {feature.Name: number_of(feature, "Size") for feature in features}
 
 
 def blended_sizes(assembly, first, second, weight: float) -> dict[str, float]:
-    """Return the sizes between two poses, None for rest; form features without any are left out."""
+    """Return the sizes between two poses, None for rest; features without a size are omitted."""
     known = sizes_of(assembly)
     one, other = (
         dict.fromkeys(known, 0.0) if p is None else kept_sizes(p) for p in (first, second)
@@ -221,14 +223,14 @@ def blended_sizes(assembly, first, second, weight: float) -> dict[str, float]:
 
 
 def size_at_rest(assembly, name: str) -> float:
-    """Return the size a form feature has in the mesh, mm."""
+    """Return the size of a form feature in the mesh, mm."""
     return shape_of(assembly.Document.getObject(name)).size
 
 
 def told_in(assembly, pose) -> tools.Pose:
-    """Return what the kernel is told in a pose, None for rest, by `region.Name`.
+    """Return the kernel input for a pose, None for rest, by `region.Name`.
 
-    A size is told where it differs from the document's.
+    A size is included if it differs from the one in the document.
     """
     document, present_sizes = assembly.Document, sizes_of(assembly)
     motions = motions_in(assembly, pose)
@@ -241,7 +243,10 @@ def told_in(assembly, pose) -> tools.Pose:
 
 
 def alike(assembly, first: tools.Pose, second: tools.Pose) -> tuple:
-    """Return both with the same kind of pivots: a centroid that meets a point becomes one."""
+    """Return both poses with pivots of the same kind.
+
+    If one pivot is the centroid and the other a point, the centroid becomes a point.
+    """
     for name in first:
         if (first[name].pivot is None) != (second[name].pivot is None):
             centre = tuple(rest_centroid(assembly.Document.getObject(name)))
@@ -252,5 +257,5 @@ def alike(assembly, first: tools.Pose, second: tools.Pose) -> tuple:
 
 
 def deform_in(assembly, pose) -> dict[str, np.ndarray]:
-    """Return the positions (n, 3) of all parts by `part.Name` in a pose; the document stays."""
+    """Return the positions (n, 3) of all parts in a pose by `part.Name`; the document stays."""
     return solving.deform_in(assembly, told_in(assembly, pose))

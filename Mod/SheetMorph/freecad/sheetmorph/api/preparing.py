@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Preparing what CAD exports: cured and meshed anew; what was picked before stays picked."""
+"""Preparation of CAD exports: repaired and remeshed, with the picked regions transferred."""
 
 from __future__ import annotations
 
@@ -25,18 +25,38 @@ MOST_PIECES = 500
 
 
 def prepare(part, bindings: dict | None = None, **cures) -> dict:
-    """Cure the mesh of a part and mesh it anew, and return what was done.
+    """Repair and remesh a part, and return a summary.
 
-    Cures, all by name: `weld`: vertices nearer than this are one, mm; `edge`: length of the new
-    edges on flats, mm, shorter at rims and bends; `rims`: round rims stay a "polygon" or go to
-    their "circle"; `scale`: mm in the unit of the mesh, first of all. It begins with the mesh that
-    was added or imported, which stays as it is, whatever was prepared before. Regions, contacts
-    and features move to the new vertices in their places. Returns scale, weld, welded, removed,
-    split, turned, and in `remesh` edge, rims, rims_on_circles, flats, deviation and
-    flat_deviation (mm, from the old facets); in `unsettled` what did not end, else None. Regions
-    that say what they are, are resolved on the new mesh; `told` has a sentence for each that became
-    another one by more than 3 % of its area, `different` their names. `bindings`: as for
-    `replace_file`. Raises ValueError; then nothing has changed.
+    Preparation always starts from the mesh that was added or imported, which stays unchanged.
+    Regions, contacts and features move to the new vertices at their positions. Regions with a
+    selector are resolved on the new mesh. If an error is raised, nothing has changed.
+
+    Parameters
+    ----------
+    part : object
+        The part.
+    bindings : dict, optional
+        Answers to questions, as for `replace_file`.
+    weld : float
+        Merge vertices closer than this, mm.
+    edge : float
+        Edge length on flats, mm; edges at rims and bends are shorter.
+    rims : str
+        Round rims stay a "polygon" or move to their "circle".
+    scale : float
+        mm in the unit of the mesh; applied first.
+
+    Returns
+    -------
+    dict
+        scale, weld, welded, removed, split and turned. `remesh` has edge, rims, rims_on_circles,
+        flats, deviation and flat_deviation (mm, from the old facets). `unsettled` names a step that
+        did not converge, or is None. The entry `told` has a sentence for each region whose area
+        changed by more than 3 %, and `different` their names.
+
+    Raises
+    ------
+    ValueError
     """
     original = read_original(checked(part))
     made = preparation(part, **cures)
@@ -66,7 +86,7 @@ def prepare(part, bindings: dict | None = None, **cures) -> dict:
 def preparation(part, **cures):
     """Return the mesh, a sheetmorph.PreparedMesh, that `prepare` would give a part.
 
-    Its points are file coordinates times the scale; nothing in the document changes.
+    Its points are file coordinates times the scale; the document does not change.
     """
     original = read_original(checked(part))
     wanted = wanted_of(cures)
@@ -96,11 +116,11 @@ def wanted_of(cures: dict):
 
 
 def split_part(part) -> list:
-    """Make a part of every piece of a part that nothing connects, and return them.
+    """Replace a part by one part per connected piece, and return them.
 
-    They are named after the part and a number, and are thin solids if it is one; the part goes, its
-    source mesh stays. The largest becomes the primary if the part was. A part in one piece stays as
-    it is. Raises ValueError where regions or contacts are on it, or where it is in shatters; then
+    They are named after the part with a number, and inherit its thin solid property. The source
+    mesh stays. The largest piece becomes the primary if the part was. A part in one piece does not
+    change. Raises ValueError if the part has regions or contacts, or has too many pieces; then
     nothing has changed.
     """
     assembly = assembly_of(checked(part))
@@ -133,12 +153,12 @@ def split_part(part) -> list:
 
 
 def preparation_of(part) -> dict:
-    """Return what `prepare` did to a part, as it returned it; empty for one as it was added."""
+    """Return the summary of the last `prepare` of a part; empty if there was none."""
     return json.loads(checked(part).Preparation) if part.Preparation else {}
 
 
 def diagnose_original(part, scale: float = 1.0) -> dict:
-    """Return the diagnosis of the mesh that `prepare` begins with, times a scale."""
+    """Return the diagnosis of the mesh from which `prepare` starts, times a scale."""
     original, package = read_original(checked(part)), kernel.load()
 
     def found() -> dict:
@@ -150,13 +170,13 @@ def diagnose_original(part, scale: float = 1.0) -> dict:
 
 
 def places_of(part, made) -> np.ndarray:
-    """Return where the vertices of what `preparation` returned are: (n, 3), global, mm."""
+    """Return the vertices (n, 3) of a mesh from `preparation`, global, mm."""
     scale = made.preparation["scale"]
     return scale * read_original(part).frame.to_global(made.points / scale)
 
 
 def checked(part):
-    """Return a part that has a mesh, or raise ValueError."""
+    """Return a part in an assembly, or raise ValueError."""
     require_kind(part, model.PART, "part")
     if assembly_of(part) is None:
         raise ValueError(f"'{part.Label}' is in no morph: drag it back into its group.")
@@ -164,7 +184,7 @@ def checked(part):
 
 
 def positive(value, word: str, least: float | None = None) -> float:
-    """Return a number above 0, or from `least`, or raise ValueError."""
+    """Return a number above 0, or at least `least`, or raise ValueError."""
     found = number(value, word)
     if found < 0.0 or (found == 0.0 and least is None):
         raise ValueError(f"The {word} is {found}; pass one above 0.")
@@ -172,7 +192,7 @@ def positive(value, word: str, least: float | None = None) -> float:
 
 
 def splitting_module():
-    """Return the module of the package that splits."""
+    """Return the splitting module of the package."""
     kernel.load()
     from sheetmorph.recipe import splitting
 
@@ -180,7 +200,7 @@ def splitting_module():
 
 
 def prepared_module():
-    """Return the module of the package that prepares."""
+    """Return the preparation module of the package."""
     kernel.load()
     from sheetmorph import prepared_mesh
 
@@ -188,17 +208,17 @@ def prepared_module():
 
 
 def package_mesh(points: np.ndarray, triangles: np.ndarray):
-    """Return a sheetmorph.PartMesh whose vertices are called by their indices."""
+    """Return a sheetmorph.PartMesh with vertex indices as ids."""
     return kernel.load().PartMesh(points, triangles)
 
 
 def scale_of(part) -> float:
-    """Return the scale a part was prepared with, 1 if it was not."""
+    """Return the scale in the preparation of a part, 1 without one."""
     return json.loads(part.Preparation)["scale"] if part.Preparation else 1.0
 
 
 def moved_features(features: list[dict], placed, scale: float) -> list[dict]:
-    """Return what is known exactly about a part, on its new mesh."""
+    """Return the exact features of a part on its new mesh."""
     lengths = ("radius", "length", "residual")
     return [
         {
@@ -212,7 +232,7 @@ def moved_features(features: list[dict], placed, scale: float) -> list[dict]:
 
 
 def moved_extras(part, placed) -> str | None:
-    """Return the extras of the assembly with points on triangles of the new mesh, if it has any."""
+    """Return the extras of the assembly with points on triangles of the new mesh, or None."""
     assembly = assembly_of(part)
     if not assembly.Extras:
         return None
@@ -227,7 +247,7 @@ def moved_extras(part, placed) -> str | None:
 
 
 def exchange(part, original: Kept, made, known: tuple[float, list[dict]]) -> None:
-    """Let a part rest on a new mesh; `known`: its scale, and its features."""
+    """Replace the rest mesh of a part; `known` has its scale and its features."""
     scale, features = known
     document, before = part.Document, part.Source
     first = part.Original is None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Propagation: how the motion of the primary part reaches the others."""
+"""Propagation: the motion of the primary part reaches the others."""
 
 from __future__ import annotations
 
@@ -18,15 +18,16 @@ class Step(NamedTuple):
     """One part on the way of the motion."""
 
     part: Any
-    level: int  # contacts from the primary; -1: not reached
-    contacts: list  # that drive it; the other part of each is the one it follows
+    level: int  # contacts from the primary; -1 if not reached
+    contacts: list  # contacts that drive the part; it follows the other part of each
 
 
 def set_mode(part, mode: int | str) -> None:
-    """Say how a part follows: 1, 2 or 3 of the paper, 0 to let SheetMorph choose; or its name.
+    """Set the mode in which a part follows: 1, 2 or 3 of the paper, 0 for automatic, or a name.
 
-    1: all vertices by the control mesh; 2: contacts and followers by it, the rest bends as a
-    sheet with exact form features; 3: as 2 with the free edges inside the control meshes.
+    In mode 1 the control mesh drives all vertices. In mode 2 it drives contacts and followers, and
+    the rest bends as a sheet with exact form features. Mode 3 is mode 2 with the free edges inside
+    the control meshes driven as well.
     """
     require_kind(part, model.PART, "part")
     if isinstance(mode, str) and mode in MODES:
@@ -40,11 +41,24 @@ def set_mode(part, mode: int | str) -> None:
 def set_propagation(
     assembly, kind: str, *, levels: int | None = None, smoothness: float | None = None
 ) -> None:
-    """Choose how parts follow: "local" (along contacts), "single" (one control mesh for all) or
-    "whole" (all in one solve: contacts stay closed, and what is held on any part holds).
+    """Set the propagation to the other parts; omitted arguments stay unchanged.
 
-    `levels`: subdivisions of control meshes, 1 to 5; `smoothness`: of their fit, more than 0.
-    What is left out stays as it is. Raises ValueError.
+    Parameters
+    ----------
+    assembly : object
+        The assembly.
+    kind : str
+        "local" (along contacts), "single" (one control mesh for all) or "whole" (one solve for all
+        parts, in which contacts stay closed and fixed regions of every part count).
+    levels : int, optional
+        Subdivision levels of control meshes, 1 to 5.
+    smoothness : float, optional
+        Smoothness of their fit, above 0.
+
+    Raises
+    ------
+    ValueError
+        For invalid values.
     """
     require_assembly(assembly)
     if kind not in PROPAGATIONS:
@@ -63,9 +77,9 @@ def set_propagation(
 
 
 def propagation(assembly) -> list[Step]:
-    """Return how the motion goes through the parts: the primary first, unreached parts last.
+    """Return the path of the motion as a list of `Step`: primary first, unreached parts last.
 
-    A `Step` is `(part, level, contacts)`. Empty as long as nothing is fixed or moved.
+    A `Step` is `(part, level, contacts)`. The list is empty without a fixed region or a handle.
     Raises freecad.sheetmorph.objects.errors.MorphError, a ValueError, with one sentence.
     """
     require_assembly(assembly)
@@ -79,9 +93,9 @@ def propagation(assembly) -> list[Step]:
 def control_mesh(assembly, contact=None) -> tuple[np.ndarray, np.ndarray] | None:
     """Return the control mesh of a contact: vertices (m, 3) mm, global, and triangles (t, 3).
 
-    In the pose of the document. Without `contact`: the single one around everything. None if
-    there is none: the contact is tied, rigid or not in use, or the propagation is another.
-    Raises freecad.sheetmorph.objects.errors.MorphError, a ValueError, with one sentence.
+    The pose is that of the document. Without `contact` it is the single one around all parts. The
+    result is None for a tied, rigid or inactive contact, or for another propagation. Raises
+    freecad.sheetmorph.objects.errors.MorphError, a ValueError, with one sentence.
     """
     require_assembly(assembly)
     if contact is not None:

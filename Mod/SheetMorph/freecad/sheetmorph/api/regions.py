@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Regions: vertices of a part that are fixed, moved by a handle, keep their shape, or follow."""
+"""Regions: fixed vertices, handles, form features and followers."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from freecad.sheetmorph.objects.region import FIXED, FOLLOWER, FORM_FEATURE, HAN
 
 
 def add_fixed(assembly, part, vertices: Iterable[int] | dict, label: str = "Fixed"):
-    """Add a fixed region to `part` and return it: its vertices stay where they are.
+    """Add a fixed region to `part` and return it: its vertices stay at rest.
 
-    `vertices`: indices into the mesh of the part, at least one, or a selector (see `select`).
+    `vertices` are indices into the mesh of the part, at least one, or a selector (see `select`).
     Raises ValueError.
     """
     return add_region(assembly, part, vertices, (FIXED, label))
 
 
 def add_handle(assembly, part, vertices: Iterable[int] | dict, label: str = "Handle"):
-    """Add a handle to `part` and return it: its vertices move as `set_motion` says.
+    """Add a handle to `part` and return it: `set_motion` moves its vertices.
 
-    `vertices`: indices into the mesh of the part, at least one, or a selector (see `select`).
+    `vertices` are indices into the mesh of the part, at least one, or a selector (see `select`).
     Raises ValueError.
     """
     return add_region(assembly, part, vertices, (HANDLE, label))
@@ -42,12 +42,24 @@ def add_feature(
     *,
     rotation: str | Sequence = "free",
 ):
-    """Add a form feature to `part` and return it: its vertices keep their shape exactly.
+    """Add a form feature to `part` and return it: its vertices keep their exact shape.
 
-    `rotation`: "free" (turns as a rigid body in an elastic sheet), "interpolated" (as the handles
-    around it turn) or `(axis (3,), degrees)`.
-    `vertices`: indices into the mesh of the part, at least one, or a selector (see `select`).
-    Raises ValueError: no or unknown vertices, another rotation.
+    Parameters
+    ----------
+    assembly, part : object
+        The assembly and the part.
+    vertices : iterable of int or selector
+        Indices into the mesh of the part, at least one, or a selector (see `select`).
+    label : str
+        Label of the region.
+    rotation : str or tuple
+        "free" (as a rigid body in an elastic sheet), "interpolated" (as the handles around it) or
+        `(axis (3,), degrees)`.
+
+    Raises
+    ------
+    ValueError
+        For missing or unknown vertices, or another rotation.
     """
     region = add_region(assembly, part, vertices, (FORM_FEATURE, label))
     try:
@@ -59,17 +71,17 @@ def add_feature(
 
 
 def add_follower(assembly, part, vertices: Iterable[int] | dict, label: str = "Follower"):
-    """Add a follower to `part` and return it: its vertices go where a control mesh takes them.
+    """Add a follower to `part` and return it: a control mesh drives its vertices.
 
-    For parts other than the primary, where more than their contacts should follow closely.
-    `vertices`: indices into the mesh of the part, at least one, or a selector (see `select`).
+    It is for parts other than the primary, where more than their contacts should follow closely.
+    `vertices` are indices into the mesh of the part, at least one, or a selector (see `select`).
     Raises ValueError.
     """
     return add_region(assembly, part, vertices, (FOLLOWER, label))
 
 
 def add_region(assembly, part, vertices: Iterable[int] | dict, role_and_label: tuple[str, str]):
-    """Add a region of any role; what `add_fixed`, `add_handle` and the others share."""
+    """Add a region of any role, for `add_fixed`, `add_handle` and the others."""
     require_part_of(assembly, part)
     checked, where = vertices_and_words(part, vertices)
     role, label = role_and_label
@@ -85,21 +97,21 @@ def add_region(assembly, part, vertices: Iterable[int] | dict, role_and_label: t
 
 
 def vertices_and_words(part, given) -> tuple[np.ndarray, str]:
-    """Return the vertices (k,) that somebody gave, and the selector, as JSON, if it was one.
+    """Return the given vertices (k,), and the selector as JSON if it was one.
 
-    Raises ValueError: it selects nothing, or there are no such vertices.
+    Raises ValueError if it selects nothing or a vertex does not exist.
     """
     if not selecting.is_selector(given):
         return indices(given, vertex_count(part), "vertex"), ""
-    vertex_count(part)  # that it has a mesh
+    vertex_count(part)  # checks that the part has a mesh
     found = selecting.select(part, given)
     return np.asarray(found, dtype=np.int64), json.dumps(given)
 
 
 def select(part, where) -> list[int]:
-    """Return the vertices that a selector, as recipes have them, stands for on a part, sorted.
+    """Return the sorted vertices of a recipe selector on a part.
 
-    Its coordinates are those of the part's file, mm. Raises ValueError if it is wrong or selects
+    Its coordinates are those of the part's file, mm. Raises ValueError if it is invalid or selects
     nothing.
     """
     require_kind(part, model.PART, "part")
@@ -107,10 +119,7 @@ def select(part, where) -> list[int]:
 
 
 def where(owner, side: str = ""):
-    """Return the selector that says what a region, or side "a" or "b" of a contact, is.
-
-    None if only its vertices are known.
-    """
+    """Return the selector of a region, or of side "a" or "b" of a contact; None without one."""
     if side in ("a", "b"):
         require_kind(owner, model.CONTACT, "contact")
     else:
@@ -119,7 +128,7 @@ def where(owner, side: str = ""):
 
 
 def set_vertices(region, vertices: Iterable[int] | dict) -> None:
-    """Give a region other vertices: indices into the mesh of its part, or a selector."""
+    """Set the vertices of a region: indices into the mesh of its part, or a selector."""
     require_kind(region, model.REGION, "region")
     if region.Part is None:
         raise ValueError(f"Region '{region.Label}' has lost its part; delete the region.")
@@ -129,9 +138,9 @@ def set_vertices(region, vertices: Iterable[int] | dict) -> None:
 
 
 def take_out(region, other) -> None:
-    """Leave to another region on the same part the vertices that both have.
+    """Remove from a region the vertices that it shares with another region on the same part.
 
-    Raises ValueError if none would be left.
+    Raises ValueError if no vertex would remain.
     """
     for each in (region, other):
         require_kind(each, model.REGION, "region")
@@ -144,7 +153,7 @@ def take_out(region, other) -> None:
 
 
 def hold_loose_pieces(part, label: str = "At rest"):
-    """Fix the pieces of a part on which nothing is fixed, moved or in contact; return that region.
+    """Fix the pieces of a part without prescribed vertices or contacts; return the new region.
 
     Raises ValueError if there are none.
     """
@@ -156,7 +165,7 @@ def hold_loose_pieces(part, label: str = "At rest"):
 
 
 def loose_vertices(part) -> np.ndarray:
-    """Return the vertices (k,) of the pieces on which nothing is fixed, moved or in contact."""
+    """Return the vertices (k,) of the pieces without prescribed vertices or contacts."""
     assembly, rest, core = model.assembly_of(part), read_rest(part), kernel.core()
     piece = np.asarray(core.components(core.TriangleMesh(rest.points, rest.triangles)))
     regions = [r for r in model.regions(assembly, part) if r.Role in (FIXED, HANDLE)]
@@ -170,6 +179,6 @@ def loose_vertices(part) -> np.ndarray:
 
 
 def vertices(region) -> list[int]:
-    """Return the vertices of a region: sorted indices into the mesh of its part."""
+    """Return the sorted vertex indices of a region in the mesh of its part."""
     require_kind(region, model.REGION, "region")
     return model.vertices(region).tolist()

@@ -16,7 +16,7 @@ from freecad.sheetmorph.api.cad import check_shape, read_shape
 from freecad.sheetmorph.bridge import conversion, kernel
 from freecad.sheetmorph.bridge.reading import read_file
 from freecad.sheetmorph.bridge.rest import read_kept, read_original, write_rest_data
-from freecad.sheetmorph.bridge.shapes import keep_shape
+from freecad.sheetmorph.bridge.shapes import keep_shape, kept_shape
 from freecad.sheetmorph.objects import assembly_of, model, shape_source
 from freecad.sheetmorph.objects.assembly import follow_group
 
@@ -100,7 +100,7 @@ class ReadShape:
 
     def __init__(self, cad_model, number: int):
         cad_file = kernel.load().files.cad_file
-        self.model, self.number = cad_model, number
+        self.kept = kept_shape(cad_model, number)
         self.mesh = cad_file.part_meshes(cad_model)[number]
         self.features = cad_file.exact_features(cad_model.parts[number])
         self.name = self.mesh.name
@@ -111,7 +111,7 @@ class Read:
 
     def __init__(self, part, path: Path, mesh: dict | None):
         package = kernel.load()
-        self.path, self.name, self.model = path, path.name, None
+        self.path, self.name, self.kept = path, path.name, None
         self.features: list[dict] = []
         is_cad = package.files.is_cad(path)
         if is_cad and part.FileData or part.ShapeData and not is_cad:
@@ -123,8 +123,7 @@ class Read:
         file = read_file(path, mesh)
         meshes = package.files.cad_file.part_meshes(file.model)
         read = ReadShape(file.model, solid_like(part, meshes, path))
-        self.model, self.number = read.model, read.number
-        self.mesh, self.features = read.mesh, read.features
+        self.kept, self.mesh, self.features = read.kept, read.mesh, read.features
 
 
 def solid_like(part, meshes: list, path: Path) -> int:
@@ -226,7 +225,7 @@ def added_source(part, frame, mesh, scale: float):
 
 def keep_file(part, read) -> None:
     """Keep the file, or the shape, that a part is of now."""
-    if read.model is not None:
-        keep_shape(part, read.model, read.number)
+    if read.kept is not None:
+        keep_shape(part, read.kept)
     else:
         part.FileName, part.FileData = read.path.name, str(read.path.absolute())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Deformed shapes: a part that was made from a CAD shape as a shape again."""
+"""Deformed CAD shapes of parts that come from a shape."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from freecad.sheetmorph.objects.errors import MorphError
 
 
 def deformed_shape(part):
-    """Make, or bring up to date, the deformed shape of a part; return it, a Part::Feature.
+    """Create or update the deformed shape of a part and return it, a Part::Feature.
 
-    It has the faces of the shape that the part was made from: those that moved as one rigid body,
-    holes of form features for example, on their own surfaces, the others on splines within 0.01 mm
-    of the deformed mesh. It follows when `update_shapes` is called. Raises MorphError: the part was
-    not made from a shape, its mesh was changed or folds, a tolerance is missed.
+    It has the faces of the original shape. Faces that moved as one rigid body, such as holes of
+    form features, keep their surfaces. The others become splines within 0.01 mm of the deformed
+    mesh. `update_shapes` updates it. Raises MorphError if the part has no original shape, if its
+    mesh was changed or folds, or if a tolerance is missed.
     """
     positions = solving.deform(assembly_of(part))[part.Name]
     _require_unfolded(part, positions)
@@ -45,5 +45,5 @@ def _require_unfolded(part, positions) -> None:
 
 
 def update_shapes(assembly) -> list:
-    """Bring all deformed shapes of an assembly up to date; return them."""
+    """Update all deformed shapes of an assembly and return them."""
     return [deformed_shape(part) for part in model.parts(assembly) if part.DeformedShape]

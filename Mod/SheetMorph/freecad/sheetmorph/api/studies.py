@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Studies: many variants of an assembly, computed in processes of their own, as a table."""
+"""Studies: many variants of an assembly, computed in separate processes, as a table."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ from freecad.sheetmorph.tools import studies as tools
 from freecad.sheetmorph.tools.studies import METHODS, Parameter
 
 RECIPE, STUDY, SAMPLES = "recipe.json", "study.json", "samples.csv"
-PAUSE = 0.05  # seconds between two looks at a process
+PAUSE = 0.05  # seconds between two checks of a process
 SETTINGS = {"sampling": "Sampling", "count": "Count", "seed": "Seed", "criteria": "Criteria"}
 SETTINGS["folder"] = "Folder"
 
 
 def add_study(assembly, label: str = "Study", **settings: Any):
-    """Add a study to an assembly and return it; `settings` as `set_study` takes them."""
+    """Add a study to an assembly and return it; see `set_study` for `settings`."""
     require_assembly(assembly)
     check(assembly, settings)
     study = assembly.Document.addObject("App::FeaturePython", "Study")
@@ -50,29 +50,44 @@ def add_study(assembly, label: str = "Study", **settings: Any):
 
 
 def set_study(study, **settings: Any) -> None:
-    """Say what a study changes, and how; what is left out stays as it is.
+    """Set the parameters and options of a study; omitted settings stay unchanged.
 
-    `parameters`: (name, object, property or cell, low, high) each, mm or degrees, of those that
-    `variables` returns; `sampling`: "latin hypercube", "sobol", "halton" or "full grid"; `count`
-    of variants; `seed`; `criteria`: "stretch <= 0.2, angle >= 12"; `folder` for the files, "" for
-    the table alone. Raises ValueError.
+    Parameters
+    ----------
+    study : object
+        The study.
+    parameters : sequence of tuple
+        (name, object, property or cell, low, high) of numbers from `variables`; mm or degrees.
+    sampling : str
+        "latin hypercube", "sobol", "halton" or "full grid".
+    count, seed : int
+        Number of variants, and seed.
+    criteria : str
+        Such as "stretch <= 0.2, angle >= 12".
+    folder : str
+        Folder for the files; "" for the table only.
+
+    Raises
+    ------
+    ValueError
+        For invalid settings.
     """
     check(owner_of(study), settings)
     put(study, settings)
 
 
 def variables(assembly) -> list[Variable]:
-    """Return the numbers that a study may change: `owner`, `number`, `label`, `unit`, each.
+    """Return the numbers that a study can vary, each with `owner`, `number`, `label`, `unit`.
 
-    They are motions of handles, sizes and prescribed rotations of form features, and cells of the
-    spreadsheets that drive any of those.
+    They are motions of handles, sizes and prescribed rotations of form features, and spreadsheet
+    cells that drive any of those.
     """
     require_assembly(assembly)
     return numbers.variables_of(assembly)
 
 
 def write_study(study, folder: str | os.PathLike) -> Path:
-    """Write recipe, parts at rest and study file into a folder; return the study file's path.
+    """Write recipe, parts at rest and study file into a folder; return the path of the study.
 
     `python3 -m sheetmorph study` computes it, here or on another machine. Raises MorphError,
     ValueError, OSError.
@@ -100,9 +115,9 @@ def write_study(study, folder: str | os.PathLike) -> Path:
 
 
 def run_study(study) -> dict[str, int]:
-    """Compute a study in processes of their own, keep its table; return how many came out how.
+    """Compute a study in separate processes, store its table and return the counts by status.
 
-    Raises MorphError, ValueError with what is wrong with the study, OSError.
+    Raises MorphError, ValueError with the faults of the study, OSError.
     """
     with begun(study) as run:
         while not run.is_over:
@@ -121,9 +136,9 @@ def results(study) -> list[dict[str, Any]]:
 
 
 def apply_variant(study, run: int) -> None:
-    """Give the document the numbers of a variant: its pose, its sizes, its cells.
+    """Set the document to the numbers of a variant: its pose, sizes and cells.
 
-    Raises ValueError: there is no such variant, or nothing of it is in the study any more.
+    Raises ValueError if the variant does not exist, or if the study has other parameters now.
     """
     row = next((row for row in results(study) if row["run"] == run), None)
     if row is None:
@@ -135,12 +150,12 @@ def apply_variant(study, run: int) -> None:
         numbers.set_number(owner_in(study, one), one.number, row["parameters"][one.name])
 
 
-# -- what the panel uses besides
+# -- additional functions for the panel
 
 
 @contextmanager
 def begun(study) -> Iterator[StudyRun]:
-    """Context with a study that is being computed; after it no process and no file is left."""
+    """Provide a running study; afterwards no process and no temporary file remains."""
     with place_of(study) as folder:
         run = StudyRun(write_study(study, folder))
         try:
@@ -151,7 +166,7 @@ def begun(study) -> Iterator[StudyRun]:
 
 @contextmanager
 def place_of(study) -> Iterator[str]:
-    """Context with the folder of a study; without one it is there for a while only."""
+    """Provide the folder of a study, or a temporary one."""
     if study.Folder:
         yield study.Folder
         return
@@ -160,12 +175,15 @@ def place_of(study) -> Iterator[str]:
 
 
 def keep_results(study, run: StudyRun) -> None:
-    """Keep the table of a run that is over; raises ValueError with why there is none."""
+    """Store the table of a finished run. Raises ValueError with the reason if there is none."""
     study.Results = json.dumps(run.results())
 
 
 def value_of(variable: Variable) -> float:
-    """Return a number as it is now, mm or degrees; raises ValueError for a size that is none."""
+    """Return the current value of a variable, mm or degrees.
+
+    Raises ValueError for an unset size.
+    """
     found = numbers.number_of(variable.owner, variable.number)
     if variable.number != numbers.SIZE or found > 0.0:
         return found
@@ -175,11 +193,11 @@ def value_of(variable: Variable) -> float:
     return shape.size
 
 
-# -- parts of the above
+# -- helpers
 
 
 def owner_of(study):
-    """Return the assembly of a study; raises ValueError."""
+    """Return the assembly of a study. Raises ValueError."""
     require_kind(study, model.STUDY, "study")
     assembly = assembly_of(study)
     require_assembly(assembly)
@@ -187,12 +205,12 @@ def owner_of(study):
 
 
 def owner_in(study, parameter: Parameter):
-    """Return whose number a parameter is."""
+    """Return the object with the number of a parameter."""
     return study.Document.getObject(parameter.owner)
 
 
 def check(assembly, settings: dict[str, Any]) -> None:
-    """Raise ValueError for settings that are none."""
+    """Raise ValueError for invalid settings."""
     unknown = settings.keys() - SETTINGS.keys() - {"parameters"}
     if unknown:
         raise ValueError(f"A study has no '{unknown.pop()}'; see set_study.")
@@ -214,7 +232,7 @@ def check(assembly, settings: dict[str, Any]) -> None:
 
 
 def put(study, settings: dict[str, Any]) -> None:
-    """Give a study settings that were checked."""
+    """Store checked settings in a study."""
     for key, name in SETTINGS.items():
         if key in settings and getattr(study, name) != settings[key]:
             setattr(study, name, settings[key])
@@ -238,7 +256,7 @@ def driven_numbers(assembly) -> list[Variable]:
 
 
 def study_entries(study, names: dict[str, str]) -> dict[str, Any]:
-    """Return the study file without what expressions drive."""
+    """Return the study file without numbers that expressions drive."""
     criteria = tools.criteria_in(study.Criteria)
     parameters: dict[str, dict] = {}
     for one in kept_parameters(study):
@@ -262,9 +280,9 @@ def study_entries(study, names: dict[str, str]) -> dict[str, Any]:
 
 
 def follow_expressions(study, entries: dict, folder: Path, driven: Sequence) -> None:
-    """Let a study say what expressions make of every sample: the document works them out.
+    """Add the numbers that expressions drive for every sample; the document evaluates them.
 
-    The document is as it was afterwards.
+    Afterwards the document is as before.
     """
     package = kernel.studies()
     samples = package.samples_of(package.read_study(folder / STUDY))
@@ -286,7 +304,7 @@ def follow_expressions(study, entries: dict, folder: Path, driven: Sequence) -> 
 
 
 def each_applied(study, samples: list[dict[str, float]]) -> Iterator[dict[str, float]]:
-    """Yield every sample while the document has it; then the document has what it had."""
+    """Yield every sample while the document has its values, then restore the document."""
     assembly = owner_of(study)
     places = {one.name: (owner_in(study, one), one.number) for one in kept_parameters(study)}
     before = {name: numbers.number_of(*place) for name, place in places.items()}
@@ -302,13 +320,13 @@ def each_applied(study, samples: list[dict[str, float]]) -> Iterator[dict[str, f
 
 
 def apply(places: dict[str, tuple], values: dict[str, float]) -> None:
-    """Give the document numbers by name."""
+    """Set numbers of the document by name."""
     for name, place in places.items():
         numbers.set_number(*place, values[name])
 
 
 def write(path: Path, data: dict) -> None:
-    """Write a JSON file, whole or not at all."""
+    """Write a JSON file, complete or not at all."""
     with kernel.load().files.atomic.FileSet("recipe") as files:
         text = json.dumps(data, indent=1, ensure_ascii=False)
         files.temporary_for(path).write_text(text + "\n", "utf-8")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Thin solids: closed meshes that are sheets, with two skins and the walls between them."""
+"""Thin solids: closed meshes of sheets, with two skins and walls between them."""
 
 from __future__ import annotations
 
@@ -17,10 +17,11 @@ from freecad.sheetmorph.objects.properties import number_of
 
 
 def set_thin(part, thin: str | bool | float) -> None:
-    """Say whether a part is solved as a thin solid: False, "auto", or its thickness in mm.
+    """Set whether a part is solved as a thin solid: False, "auto", or its thickness in mm.
 
-    "auto": if it is recognised as one. A thickness: it is one, or the recompute says why it is
-    not. A thin solid bends as one sheet and keeps its thickness. Raises ValueError.
+    With "auto", the part counts as one if it is recognised. With a thickness, the recompute reports
+    why the part is not one. A thin solid bends as one sheet and keeps its thickness.
+    Raises ValueError for an invalid value.
     """
     require_kind(part, model.PART, "part")
     if thin is False:
@@ -38,9 +39,9 @@ def set_thin(part, thin: str | bool | float) -> None:
 
 
 def set_sheet(part, thickness: float = 0.0, poisson: float = 0.3) -> None:
-    """Say what a part is where the energy is steel: its thickness in mm, and Poisson's ratio.
+    """Set the properties of a part for the energy steel: thickness in mm, and Poisson's ratio.
 
-    Thickness 0: that of the deck's shells or the thin solid, or a hundredth of the size. Raises
+    Thickness 0 uses that of the deck's shells or the thin solid, or a hundredth of the size. Raises
     ValueError.
     """
     require_kind(part, model.PART, "part")
@@ -53,9 +54,10 @@ def set_sheet(part, thickness: float = 0.0, poisson: float = 0.3) -> None:
 
 
 def thin_solid(part) -> tuple[Any, str]:
-    """Look at a part at rest: return the `sheetmorph._core.ThinSolid` it is, and an empty text.
+    """Examine a part at rest: return its `sheetmorph._core.ThinSolid` and an empty text.
 
-    Or None, and a sentence that says why it is no thin solid. Nothing in the document changes.
+    If it is not a thin solid, return None and a sentence with the reason. The document does not
+    change.
     """
     require_kind(part, model.PART, "part")
     rest = read_rest(part)
@@ -65,7 +67,7 @@ def thin_solid(part) -> tuple[Any, str]:
 
 
 def propose_thin(part) -> bool:
-    """Make a part a thin solid if it is recognised as one; say so, and return whether it is."""
+    """Make a part a thin solid if it is recognised, print this, and return whether it is."""
     solid, _ = thin_solid(part)
     if solid is None:
         return False
@@ -80,8 +82,8 @@ def propose_thin(part) -> bool:
 def add_through_holes(assembly, part, label: str = "Hole") -> list:
     """Mark every hole through both skins of a part as a form feature; return the regions.
 
-    Holes that have a feature already, with all of their vertices, are left out.
-    Raises ValueError if the part is no thin solid.
+    Holes whose vertices all belong to one existing region are left out. Raises ValueError if the
+    part is not a thin solid.
     """
     require_part_of(assembly, part)
     solid, reason = thin_solid(part)

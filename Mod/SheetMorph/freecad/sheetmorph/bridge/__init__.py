@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Between document and kernel: meshes, placements and recipes read, results brought back."""
+"""The bridge between document and kernel: meshes, placements and recipes in, results out."""

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Meshes and placements: the only module that builds FreeCAD meshes and knows coordinates.
+"""Meshes and placements; only this module builds FreeCAD meshes and converts coordinates.
 
 Three coordinate systems, all in mm:
-
-- *global*: what the user sees; regions, handles, sessions and recipes speak it;
-- *local*: what a `Mesh::Feature` stores, seen under its global placement (its own one and those
-  of all containers around it); single precision;
-- *file*: the numbers in an imported file, in double; local = file - origin, where the origin is
-  near the part, so that single precision shows a hole at vehicle coordinates round.
+- *global*: what the user sees; regions, handles, sessions and recipes use it.
+- *local*: stored in a `Mesh::Feature`, in single precision, and displayed under its global
+  placement (its own and those of all containers).
+- *file*: the numbers in an imported file, in double precision; local = file - origin. The origin is
+  near the part, so that single precision shows a hole at vehicle coordinates as round.
 """
 
 from __future__ import annotations
@@ -22,9 +21,9 @@ import FreeCAD
 import Mesh
 import numpy as np
 
-# FreeCAD's binary mesh kernel (.bms): the only route that is fast, keeps every vertex and facet
-# (also unused, doubled and non-manifold ones) and their order. Reading from a stream works;
-# writing to a stream loses bytes in FreeCAD 0.20, therefore the temporary file.
+# FreeCAD's binary mesh format (.bms) is the only fast route that keeps every vertex and facet,
+# including unused, duplicate and non-manifold ones, and their order. Reading from a stream works.
+# Writing to a stream loses bytes in FreeCAD 0.20, hence the temporary file.
 BMS_HEADER = np.array([0xA0B0C0D0, 0x00010000], "<u4").tobytes() + b"SheetMorph".ljust(256)
 BMS_FACET = np.dtype([("points", "<u4", 3), ("neighbours", "<u4", 3)])
 NO_NEIGHBOUR = 0xFFFFFFFF
@@ -32,7 +31,7 @@ NO_NEIGHBOUR = 0xFFFFFFFF
 
 @dataclass(frozen=True)
 class Frame:
-    """How the file coordinates of one part become global ones."""
+    """The mapping from file coordinates of one part to global coordinates."""
 
     rotation: np.ndarray  # (3, 3)
     base: np.ndarray  # (3,) mm, global position of the local origin
@@ -40,38 +39,39 @@ class Frame:
 
     @property
     def key(self) -> tuple[bytes, bytes, bytes]:
-        """What differs where the frame does."""
+        """Key for comparison of frames."""
         return self.rotation.tobytes(), self.base.tobytes(), self.origin.tobytes()
 
     def to_global(self, points: np.ndarray) -> np.ndarray:
-        """Return the global positions, (n, 3) mm, of file positions (n, 3).
+        """Return the global positions (n, 3), mm, of file positions (n, 3).
 
-        A part that lies where its file says keeps every bit of its coordinates.
+        A part at its file position keeps every bit of its coordinates.
         """
         if self.is_unmoved():
             return points.copy()
         return (points - self.origin) @ self.rotation.T + self.base
 
     def to_local(self, points: np.ndarray) -> np.ndarray:
-        """Return the local positions, (n, 3) mm, of global positions (n, 3)."""
+        """Return the local positions (n, 3), mm, of global positions (n, 3)."""
         return (points - self.base) @ self.rotation
 
     def is_unmoved(self) -> bool:
-        """Whether global and file coordinates are the same numbers."""
+        """Return whether global and file coordinates are equal."""
         return bool(np.all(self.rotation == np.eye(3)) and np.all(self.base == self.origin))
 
 
 def frame_of(feature, origin: np.ndarray) -> Frame:
-    """Return the frame of a `Mesh::Feature` whose local origin is `origin` in its file."""
+    """Return the frame of a `Mesh::Feature` with its local origin at `origin` in its file."""
     placement = feature.getGlobalPlacement()
     matrix = np.array(placement.toMatrix().A, dtype=float).reshape(4, 4)
     return Frame(matrix[:3, :3], matrix[:3, 3], np.asarray(origin, dtype=float))
 
 
 def scaled_placement(frame: Frame, scale: float, origin: np.ndarray) -> FreeCAD.Placement:
-    """Return where a mesh is whose file coordinates are `scale` times those of another.
+    """Return the placement of a mesh whose file coordinates are `scale` times those of another.
 
-    `frame`: of the other; `origin` (3,): the local origin of the mesh, in its file coordinates.
+    `frame` is that of the other mesh. `origin` (3,) is the local origin in the new file
+    coordinates.
     """
     base = scale * frame.base + frame.rotation @ (origin - scale * frame.origin)
     matrix = np.eye(4)
@@ -80,15 +80,17 @@ def scaled_placement(frame: Frame, scale: float, origin: np.ndarray) -> FreeCAD.
 
 
 def standing(rotation: np.ndarray, translation: np.ndarray, origin: np.ndarray):
-    """Return where a mesh with the local origin `origin` is, of which the file is turned, then
-    shifted."""
+    """Return the placement of a mesh whose file is rotated, then shifted.
+
+    `origin` is its local origin in file coordinates.
+    """
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = rotation, rotation @ origin + translation
     return FreeCAD.Placement(FreeCAD.Matrix(*matrix.ravel().tolist()))
 
 
 def placement_entry(frame: Frame) -> dict:
-    """Return what a recipe says of a part that stands elsewhere than its file says."""
+    """Return the recipe key `placement` of a part that was moved from its file position."""
     matrix = np.eye(4)
     matrix[:3, :3] = frame.rotation
     turn = FreeCAD.Placement(FreeCAD.Matrix(*matrix.ravel().tolist())).Rotation
@@ -99,7 +101,7 @@ def placement_entry(frame: Frame) -> dict:
 
 
 def container_placement(obj) -> FreeCAD.Placement:
-    """Return the global placement of the container that `obj` lives in."""
+    """Return the global placement of the container of `obj`."""
     return obj.getGlobalPlacement().multiply(obj.getPropertyByName("Placement").inverse())
 
 
@@ -110,16 +112,16 @@ def result_placement(part) -> FreeCAD.Placement:
 
 
 def copy_at(mesh, placement: FreeCAD.Placement) -> Mesh.Mesh:
-    """Return a copy of a FreeCAD mesh, with the same local points, seen under `placement`."""
+    """Return a copy of a FreeCAD mesh with the same local points under `placement`."""
     copied = mesh.copy()
     copied.Placement = placement
     return copied
 
 
 def near_origin(points: np.ndarray) -> np.ndarray:
-    """Return a point (3,) of whole mm near `points` (n, 3), zero if they are near zero already.
+    """Return a point (3,) of whole mm near `points` (n, 3), or zero if they are near zero.
 
-    Subtracting it leaves numbers small enough for single precision.
+    Its subtraction gives numbers small enough for single precision.
     """
     low, high = points.min(axis=0), points.max(axis=0)
     size = float(np.linalg.norm(high - low))
@@ -131,7 +133,7 @@ def near_origin(points: np.ndarray) -> np.ndarray:
 def read_mesh(mesh) -> tuple[np.ndarray, np.ndarray]:
     """Return the local points (n, 3) float32 and the triangles (m, 3) int32 of a FreeCAD mesh.
 
-    The placement of the mesh plays no role. Order, unused vertices and bad triangles are kept.
+    The placement is ignored. Order, unused vertices and degenerate triangles are kept.
     """
     with temporary_folder() as folder:
         path = os.path.join(folder, "mesh.bms")
@@ -142,30 +144,31 @@ def read_mesh(mesh) -> tuple[np.ndarray, np.ndarray]:
     start = len(BMS_HEADER) + counts.nbytes
     points = np.frombuffer(data, "<f4", 3 * n_points, start).reshape(-1, 3)
     facets = np.frombuffer(data, BMS_FACET, n_facets, start + points.nbytes)
-    return points.copy(), facets["points"].astype(np.int32)  # a view would keep all of the file
+    # a view would keep the whole file in memory
+    return points.copy(), facets["points"].astype(np.int32)
 
 
 def temporary_folder() -> tempfile.TemporaryDirectory:
-    """Return a folder that vanishes with its context, in memory where the system has such."""
+    """Return a temporary folder, in memory if the system supports it."""
     in_memory = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
     return tempfile.TemporaryDirectory(dir=in_memory)
 
 
 def shift(origin: np.ndarray) -> FreeCAD.Placement:
-    """Return the placement that moves by `origin` (3,) mm."""
+    """Return the placement that moves by `origin` (3,), mm."""
     return FreeCAD.Placement(FreeCAD.Vector(*origin.tolist()), FreeCAD.Rotation())
 
 
 class MeshWriter:
-    """Makes FreeCAD meshes of one topology; the constructor does what the points do not need."""
+    """Builder of FreeCAD meshes of one topology, which is prepared once."""
 
     def __init__(self, triangles: np.ndarray):
-        """`triangles`: (m, 3) indices of points; they are kept, not copied."""
+        """Store `triangles` (m, 3), indices of points, without a copy."""
         self.triangles = np.asarray(triangles)
         self._neighbours = neighbours(self.triangles)
 
     def mesh(self, points: np.ndarray, placement: FreeCAD.Placement | None = None) -> Mesh.Mesh:
-        """Return a mesh of local `points` (n, 3) mm, seen under `placement`."""
+        """Return a mesh of local `points` (n, 3), mm, under `placement`."""
         local = np.ascontiguousarray(points, "<f4")
         corners = np.stack([local.min(axis=0), local.max(axis=0)], axis=1)
         facets = np.empty(len(self.triangles), BMS_FACET)
@@ -187,9 +190,9 @@ class MeshWriter:
 
 
 def neighbours(triangles: np.ndarray) -> np.ndarray:
-    """Return per triangle (m, 3) the one across its edges 01, 12 and 20, or NO_NEIGHBOUR.
+    """Return for each triangle (m, 3) the neighbours at its edges 01, 12 and 20, or NO_NEIGHBOUR.
 
-    An edge of one triangle is a boundary, one of three and more has no definite neighbour.
+    Border edges have no neighbour. Edges of three or more triangles have no unique neighbour.
     """
     ends = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
     ends = np.sort(ends.astype(np.int64), axis=1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Decks of a document: kept with all that they include, read again, written as a recipe's part."""
+"""Decks of a document: stored with their includes, read again, and written as recipe parts."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ PACKED = ".zip"
 
 
 def keep_file(deck, file) -> None:
-    """Let a deck of the document have a sheetmorph file, packed where it is more than one."""
+    """Store a sheetmorph file in a deck object, packed if it consists of several files."""
     paths = [Path(path).absolute() for path in file.files_read]
     if len(paths) == 1:
         deck.FileData = str(paths[0])
         return
-    file.targets(paths[0].parent)  # raises FileError for an include outside of its folder
+    file.targets(paths[0].parent)  # raises FileError for an include outside the folder
     with tempfile.TemporaryDirectory() as folder:
         packed = os.path.join(folder, f"{paths[0].name}{PACKED}")
         with ZipFile(packed, "w") as archive:
@@ -39,7 +39,7 @@ def keep_file(deck, file) -> None:
 
 @contextmanager
 def opened(deck) -> Iterator[Any]:
-    """Context with the sheetmorph file of a deck, as its settings have it. Raises FileError."""
+    """Provide the sheetmorph file of a deck with its settings. Raises FileError."""
     with tempfile.TemporaryDirectory() as folder:
         path = deck.FileData
         if path.endswith(PACKED):
@@ -52,7 +52,7 @@ def opened(deck) -> Iterator[Any]:
 
 
 def includes_of(deck) -> list[str]:
-    """Return the paths of the files that a deck includes, as seen from its folder."""
+    """Return the paths of a deck's includes, relative to its folder."""
     if not deck.FileData.endswith(PACKED):
         return []
     with ZipFile(deck.FileData) as archive:
@@ -60,7 +60,7 @@ def includes_of(deck) -> list[str]:
 
 
 def settings_of(deck) -> dict:
-    """Return `passengers` and `joints` of a recipe's part."""
+    """Return the recipe keys `passengers` and `joints` of a deck."""
     settings = json.loads(deck.Settings or "{}")
     if deck.BrokenJoints != "refuse":
         settings["joints"] = {**settings.get("joints", {}), "broken": deck.BrokenJoints}
@@ -68,14 +68,14 @@ def settings_of(deck) -> dict:
 
 
 def deck_of(part, rest: RestPart):
-    """Return the deck that a part still is vertex by vertex in; None if it is in none."""
+    """Return the deck of a part with unchanged vertices, or None."""
     deck = part.Deck
     is_there = deck is not None and bool(deck.FileData) and rest.rows is not None
     return deck if is_there and rest.is_from_file else None
 
 
 def whole(file, parts: list, rests: dict[str, RestPart], positions: dict) -> np.ndarray:
-    """Return (n, 3) positions of the mesh of a deck, its parts at theirs, by object name."""
+    """Return the positions (n, 3) of a deck's mesh from those of its parts, by object name."""
     found = file.mesh.points.copy()
     for part in parts:
         found[rests[part.Name].rows] = positions[part.Name]
@@ -83,9 +83,10 @@ def whole(file, parts: list, rests: dict[str, RestPart], positions: dict) -> np.
 
 
 def entry_of(deck, parts: list, entries: list[dict]) -> dict:
-    """Return the recipe's entry of a deck, whose parts have `entries`.
+    """Return the recipe entry of a deck whose parts have `entries`.
 
-    Raises ValueError if they differ in more than their names: a recipe has one entry for all.
+    Raises ValueError if they differ in more than their names, because a recipe has one entry for
+    all.
     """
     told = [told_thickness(part) for part in parts]
     given = [None if "thin" in entry else entry.get("thickness", 0.0) for entry in entries]
@@ -102,7 +103,7 @@ def entry_of(deck, parts: list, entries: list[dict]) -> dict:
 
 
 def names_in_recipe(assembly, rests: dict[str, RestPart], names: dict[str, str]) -> dict[str, str]:
-    """Return what a recipe calls the parts of split decks, by the name that they have here."""
+    """Return the recipe names of the parts of split decks, by their current names."""
     found = {}
     for part in model.parts(assembly):
         deck = deck_of(part, rests[part.Name])
@@ -112,7 +113,7 @@ def names_in_recipe(assembly, rests: dict[str, RestPart], names: dict[str, str])
 
 
 def renamed(entry: Any, names: dict[str, str]) -> Any:
-    """Return a recipe, or a piece of it, whose regions are on parts of other names."""
+    """Return a recipe, or a piece of it, with renamed parts."""
     if isinstance(entry, list):
         return [renamed(one, names) for one in entry]
     if not isinstance(entry, dict):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From an error of the kernel, of its package or of a document to a fault of document objects."""
+"""Conversion of errors of kernel, package or document to faults of document objects."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import Fault, MorphError
 
 Names = Mapping[tuple[str, str], str]
-"""Document object names by list of a recipe ("part", "region", ...) and name there."""
+"""Document object names by recipe list ("part", "region", ...) and name in it."""
 
 LISTS = {"part": "part", "contact": "contact", "group": "relation", "pair": "relation"}
-"""In which list a recipe has the subjects of a kind; regions are all others."""
+"""Recipe list of each kind of subject; all other kinds are regions."""
 
 
 def fault_of(error: Exception | str, names: Names | None = None) -> Fault:
-    """Return the fault that an error stands for, without the numbers of vertices.
+    """Return the fault of an error, without vertex numbers.
 
-    `names`: those of the objects that the subjects of the error stand for. Of several faults it is
-    the first, with how many more there are.
+    `names` are those of the objects in the error. Of several faults it is the first, with the
+    number of the others.
     """
     if isinstance(error, str):
         return error if isinstance(error, Fault) else Fault(error)
@@ -40,19 +40,19 @@ def fault_of(error: Exception | str, names: Names | None = None) -> Fault:
 
 
 def warning_of(caution, names: Names) -> Fault:
-    """Return a warning of a result with the objects that it is about."""
+    """Return a warning of a result with its document objects."""
     return Fault(str(caution), *objects_in(caution, names), code=caution.code)
 
 
 def objects_in(message, names: Names) -> list[str]:
-    """Return the names of the objects that a fault or a warning of the package is about."""
+    """Return the object names of a fault or a warning of the package."""
     keys = [(LISTS.get(subject.kind, "region"), subject.name) for subject in message.objects]
     return list(dict.fromkeys(names[key] for key in keys if key in names))
 
 
 @contextmanager
 def named(names: Names) -> Iterator[None]:
-    """What the package refuses in this context becomes a MorphError that knows its objects."""
+    """Convert errors of the package in this context to MorphErrors with document objects."""
     try:
         yield
     except (ValueError, RuntimeError) as error:
@@ -63,22 +63,22 @@ def named(names: Names) -> Iterator[None]:
 
 
 def faults_in(document) -> dict[str, Fault]:
-    """Return what the last recompute could not do, by object name of the assembly."""
+    """Return the faults of the last recompute by object name of the assembly."""
     morphs = [obj for obj in document.Objects if kind(obj) == ASSEMBLY]
     found = {morph.Name: model.failure_of(morph) for morph in morphs}
     return {name: fault for name, fault in found.items() if fault}
 
 
 def at_fault(assembly, fault: str) -> list:
-    """Return the parts, regions, contacts and relations of an assembly that a fault is about."""
+    """Return the parts, regions, contacts and relations of an assembly in a fault."""
     found = map(assembly.Document.getObject, getattr(fault, "objects", ()))
     return [obj for obj in found if obj is not None and obj in assembly.Group]
 
 
 def new_fault(document, before: Mapping[str, Fault]) -> Fault | None:
-    """Return the fault of a morph that was sound `before`, if objects are to blame.
+    """Return a new fault of a morph that was valid `before`, if objects are at fault.
 
-    Where none is, something is still missing, and a step that leaves that open is none to refuse.
+    Without such objects the morph is only incomplete, and an incomplete step is admissible.
     """
     for name, fault in faults_in(document).items():
         if name not in before and has_blame(document.getObject(name), fault):
@@ -87,5 +87,5 @@ def new_fault(document, before: Mapping[str, Fault]) -> Fault | None:
 
 
 def has_blame(assembly, fault: str) -> bool:
-    """Whether a fault is about regions, contacts or relations, which a step may take back."""
+    """Return whether a fault concerns regions, contacts or relations, which a step can revert."""
     return any(kind(obj) != model.PART for obj in at_fault(assembly, fault))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a recompute finds out beyond positions: propagation order and fidelity of contacts."""
+"""Results of a recompute besides positions: propagation order and contact fidelity."""
 
 from __future__ import annotations
 
@@ -16,25 +16,25 @@ from freecad.sheetmorph.tools import words
 NO_FIDELITY = (0.0, 0.0)
 UNREACHED = -1
 Step = tuple[str, int, list[str]]
-"""Object name of a part, its level, object names of the contacts that drive it."""
+"""Object name of a part, its level, and object names of the contacts that drive it."""
 
 
 @dataclass(frozen=True)
 class Findings:
-    """What the document shows of a solved morph; empty if nothing was solved."""
+    """The results that the document shows; empty if nothing was solved."""
 
-    order: tuple[str, ...] = ()  # names of parts as deformed
-    unreached: tuple[str, ...] = ()  # names of parts that nothing moves
+    order: tuple[str, ...] = ()  # part names in the order of deformation
+    unreached: tuple[str, ...] = ()  # names of parts that no motion reaches
     fidelity: dict[str, tuple[float, float]] = field(default_factory=dict)
-    """By object name of a contact: change of the gap and deviation, mm."""
+    """Change of the gap and deviation, mm, by object name of a contact."""
     warnings: dict[str, str] = field(default_factory=dict)
-    """By object name of a contact that opens or closes too far: the sentence that says so."""
-    sentences: tuple[Fault, ...] = ()  # all warnings, those of contacts among them
-    unsettled: str = ""  # what was not solved to its end, in sentences
+    """Warning by object name of a contact whose gap changes too much."""
+    sentences: tuple[Fault, ...] = ()  # all warnings, including those of contacts
+    unsettled: str = ""  # sentences on solves that did not converge
 
 
 def findings_of(session, result, objects: Names) -> Findings:
-    """Return the findings of a session and its result; `objects`: those of its recipe."""
+    """Return the findings of a session and its result; `objects` are those of its recipe."""
     contacts = {name: found for (of, name), found in objects.items() if of == "contact"}
     fidelity = {
         contacts[found.name]: (found.gap_change, found.deviation) for found in result.contacts
@@ -47,9 +47,9 @@ def findings_of(session, result, objects: Names) -> Findings:
 
 
 def steps_of(session, parts: dict[str, str], contacts: dict[str, str]) -> list[Step]:
-    """Return all parts in the order of propagation, those that nothing reaches last.
+    """Return all parts in the order of propagation, unreached ones last.
 
-    `parts`, `contacts`: object names by their name in the recipe.
+    `parts` and `contacts` are object names by recipe name.
     """
     levels = session.levels
     driving: dict[str, list[str]] = {}
@@ -60,7 +60,7 @@ def steps_of(session, parts: dict[str, str], contacts: dict[str, str]) -> list[S
 
 
 def show(assembly, outcome) -> None:
-    """Set the read-only properties of an assembly and its contacts where they differ."""
+    """Set the read-only properties of an assembly and its contacts if they differ."""
     found = outcome.findings
     set_where_new(assembly, "Status", outcome.status)
     set_where_new(assembly, "Order", list(found.order))
@@ -77,6 +77,6 @@ def show(assembly, outcome) -> None:
 
 
 def set_length(obj, name: str, value: float) -> None:
-    """Set a length, mm, that differs."""
+    """Set a length, mm, if it differs."""
     if number_of(obj, name) != value:
         setattr(obj, name, value)

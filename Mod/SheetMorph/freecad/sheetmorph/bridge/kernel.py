@@ -73,6 +73,12 @@ def splitting() -> ModuleType:
     return importlib.import_module("sheetmorph.recipe.splitting")
 
 
+def cad_module() -> ModuleType:
+    """Return the module of the package that reads and writes CAD shapes."""
+    load()
+    return importlib.import_module("sheetmorph.cad")
+
+
 def certifying() -> ModuleType:
     """Return the module of the package that certifies what was written."""
     load()
@@ -152,6 +158,11 @@ def compiled_kernels(folder: Path | None) -> list[str]:
     )
 
 
+def cad_workers(folder: Path | None) -> list[str]:
+    """Return the names of the programs in `folder` that read and write CAD files."""
+    return [] if folder is None else sorted(path.name for path in folder.glob("sheetmorph-cad*"))
+
+
 def is_loadable_here(name: str) -> bool:
     """Whether the running interpreter would consider a file of this name as `_core`."""
     return any(name == f"_core{suffix}" for suffix in EXTENSION_SUFFIXES)
@@ -169,6 +180,7 @@ def report() -> str:
         f"Package: {folder if folder else 'not found'}",
         f"Compiled kernels found: {', '.join(compiled_kernels(folder)) or 'none'}",
         f"Compiled kernel needed: _core{EXTENSION_SUFFIXES[0]}",
+        f"CAD worker found: {', '.join(cad_workers(folder)) or 'none'}",
     ]
     try:
         load()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A session for dragging: the pose changes, meshes and regions do not.
 
-`ask` reads the document; `answer` does not touch it, so that a thread of its own may compute
-frames, one at a time. A recompute in the pose of an exact answer finds that answer.
+`ask` reads the document and `answer` does not, so that a separate thread can compute frames, one at
+a time. A recompute in the pose of an exact answer reuses that answer.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ from freecad.sheetmorph.tools.poses import Pose
 
 
 TURN, HALF_TURN = 3, 180.0
-"""Which number of a motion is its angle, and how far that is tried, degrees."""
+"""Index of the angle in a motion, and the largest angle to try, degrees."""
 
 
 @dataclass(frozen=True)
 class Question:
-    """A pose by name in the recipe, the names of what is dragged, and how exact to be."""
+    """A request: pose by recipe name, names of the dragged entries, and accuracy."""
 
     pose: Pose
     moved: tuple[str, ...] = ()
@@ -46,9 +46,10 @@ class Question:
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """All parts in one pose, by document object name: (n, 3) mm, global.
+    """All parts in one pose, by document object name: (n, 3), mm, global.
 
-    `result`: the sheetmorph.Result, None at rest. Positions stay as they are while they are held.
+    `result` is the sheetmorph.Result, None at rest. The positions never change while they are
+    referenced.
     """
 
     question: Question
@@ -57,21 +58,21 @@ class Frame:
 
     @property
     def is_preview(self) -> bool:
-        """Whether the exact shape is refined besides, so that it may differ."""
+        """Whether an exact answer refines the shape further, so that it may differ."""
         return self.result is not None and bool(self.result.previews)
 
     @property
     def unsettled(self) -> str:
-        """What was not solved to its end, in sentences; empty if everything was."""
+        """Sentences on solves that did not converge, or an empty text."""
         return "" if self.result is None else unsettled_words(self.result)
 
 
 @dataclass(frozen=True)
 class ReachQuestion:
-    """How far one number of a handle may go while the rest of a pose stays.
+    """A request for the admissible range of one number of a handle in a pose.
 
-    `handle`: its name in the recipe; `number`: 0 to 2 a translation, mm, 3 the angle, degrees;
-    `criteria`: as a study has them.
+    `handle` is its recipe name. `number` is 0 to 2 for a translation, mm, and 3 for the angle,
+    degrees. `criteria` are those of a study.
     """
 
     pose: Pose
@@ -83,8 +84,10 @@ class ReachQuestion:
 
 @dataclass(frozen=True)
 class Reached:
-    """From where to where that number may go, and what breaks beyond, empty if nothing does; both
-    are empty if it may not be anywhere near 0."""
+    """The admissible range of the number, and what fails beyond each end, if anything.
+
+    Both are empty if even 0 is not admissible.
+    """
 
     question: ReachQuestion
     ends: tuple[float, ...] = ()
@@ -92,12 +95,12 @@ class Reached:
 
 
 class LiveSession:
-    """Answers poses of one assembly with the positions of its parts."""
+    """The computation of the positions of an assembly's parts for given poses."""
 
     def __init__(self, assembly, morph: Morph | None = None, cache: SessionCache | None = None):
-        """Build or find the session of `assembly`; raises MorphError, one sentence.
+        """Build or find the session of `assembly`. Raises MorphError with one sentence.
 
-        `morph`, `cache`: with both, the document is not read.
+        With both `morph` and `cache`, the document is not read.
         """
         self._assembly = assembly
         self._shown: Frame | None = None
@@ -117,11 +120,11 @@ class LiveSession:
 
     @property
     def names(self) -> dict[str, str]:
-        """Name in the recipe by document object name."""
+        """Recipe name by document object name."""
         return self._morph.names
 
     def ask(self, moved: Iterable[str] = (), exact: bool = False) -> Question:
-        """Return the question for the pose of the document; `moved`: document object names."""
+        """Return the request for the document's pose; `moved` has document object names."""
         pose = recipes.pose_of(self._assembly, self.names)
         return Question(pose, tuple(self.names[name] for name in moved), exact)
 
@@ -131,14 +134,14 @@ class LiveSession:
 
     @property
     def learning_failure(self) -> str:
-        """What the learning of the present drag failed with, empty if it has not."""
+        """Error of the background work of the current drag, or an empty text."""
         return "" if self._session is None else self._live.failure
 
     def answer(self, question: Question, goes_on: Progress | None = None) -> Frame:
-        """Return all parts in a pose; not exact is 1e-6 of the size. Raises MorphError.
+        """Return all parts in a pose; without exact the accuracy is 1e-6 of the size.
 
-        `goes_on(fraction, task)` is asked while an exact answer takes long: as soon as it says no,
-        the frame is a live one.
+        `goes_on(fraction, task)` is called during an exact answer; False switches to a live frame.
+        Raises MorphError.
         """
         rests = self.parts
         if self._session is None:
@@ -156,12 +159,12 @@ class LiveSession:
         return self._shown
 
     def ask_reach(self, handle, number: int, criteria: dict) -> ReachQuestion:
-        """Return the question for the pose of the document; `handle`: a document object."""
+        """Return the range request for the document's pose; `handle` is a document object."""
         asked, name = self.ask([handle.Name]), self.names[handle.Name]
         return ReachQuestion(asked.pose, asked.moved, name, number, criteria)
 
     def reach(self, asked: ReachQuestion, goes_on: Callable[[], bool]) -> Reached | None:
-        """Return how far a number may go; None as soon as nobody waits."""
+        """Return the admissible range of a number; None as soon as nobody waits."""
         if self._session is None:
             return Reached(asked)
         farthest = HALF_TURN if asked.number == TURN else float(self._session.size)
@@ -177,9 +180,9 @@ class LiveSession:
         return Reached(asked, reached, tuple(limit.why for limit in found))
 
     def rest_of(self, frame: Frame, goes_on: Progress | None = None) -> dict[str, np.ndarray]:
-        """Return all parts at rest with the sizes of a frame, (n, 3) mm, by document object name.
+        """Return all parts at rest with the sizes of a frame, (n, 3) mm, by object name.
 
-        The arrays stay the same ones while the sizes do. `goes_on`: as for `answer`.
+        The same sizes return the same arrays. `goes_on` is as for `answer`.
         """
         if frame.result is None:
             return {name: rest.points for name, rest in self.parts.items()}
@@ -191,10 +194,10 @@ class LiveSession:
         return {name: found.positions[self.names[name]] for name in self.parts}
 
     def deform(self, moved: Pose | None = None, exact: bool = False) -> dict[str, np.ndarray]:
-        """Return local positions (n, 3) mm of every part, by document object name.
+        """Return local positions (n, 3), mm, of every part, by document object name.
 
-        The pose is the document's but for regions that are `moved`, by document object name. Not
-        `exact` is 1e-6 of the size. Raises MorphError.
+        The pose is that of the document, except for regions in `moved`, by document object name.
+        Without `exact` the accuracy is 1e-6 of the size. Raises MorphError.
         """
         asked = self.ask(moved or (), exact)
         changed = {self.names[name]: motion for name, motion in (moved or {}).items()}
@@ -202,9 +205,9 @@ class LiveSession:
         return {n: rest.frame.to_local(frame.positions[n]) for n, rest in self.parts.items()}
 
     def control_mesh(self, contact=None) -> ControlMesh | None:
-        """Return the control mesh of a contact object in the pose of the last answer, global.
+        """Return the control mesh of a contact object in the last pose, global, or None.
 
-        Without contact: the single one around everything. None: there is no such control mesh.
+        Without a contact it is the single control mesh around all parts.
         """
         if self._session is None:
             return None
@@ -221,7 +224,7 @@ class LiveSession:
 
 
 def posed(asked: ReachQuestion, value: float) -> Pose:
-    """Return the pose of a question with another value of its number."""
+    """Return the pose of a request with another value of its number."""
     motion = asked.pose[asked.handle]
     if asked.number == TURN:
         motion = replace(motion, angle=value)
@@ -235,7 +238,7 @@ def posed(asked: ReachQuestion, value: float) -> Pose:
 def live(assembly) -> LiveSession:
     """Return a session for dragging handles of `assembly`.
 
-    To commit, set the handles' properties in a transaction and recompute: that solves exactly,
-    with the session built here.
+    To commit, set the properties of the handles in a transaction and recompute. This solves
+    exactly, with the session built here.
     """
     return LiveSession(assembly)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads the files of parts, in a thread where somebody waits; what they tell goes to the report."""
+"""Reading of part files, in a thread if a dialog waits; notes go to the report view."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from freecad.sheetmorph.bridge import kernel
 
 
 def read_file(path: str | os.PathLike, mesh: dict | None = None):
-    """Return the part file (`sheetmorph.read_part`) of a path; `mesh`: how CAD is meshed.
+    """Return the part file (`sheetmorph.read_part`) of a path; `mesh` has mesh sizes for CAD.
 
-    What the file tells of itself, faces that cannot be read or shapes that were healed, is told in
-    the report view. Raises ValueError or OSError if it cannot be read.
+    Notes on the file, such as unreadable faces or healed shapes, are printed to the report view.
+    Raises ValueError or OSError if it cannot be read.
     """
     path, package = Path(path), kernel.load()
     file = reporting.waited_for(lambda told: package.read_part(path, mesh, told))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A morph as a recipe: reads the objects of a document, knows nothing of meshes or the kernel."""
+"""A morph as a recipe, from the objects of a document, without meshes or the kernel."""
 
 from __future__ import annotations
 
@@ -31,27 +31,27 @@ from freecad.sheetmorph.objects.relation import COAXIAL, DISTANCE, GROUP
 from freecad.sheetmorph.tools.motion import Motion
 
 FORMAT = 1
-"""Version of the recipe's format."""
+"""Version of the recipe format."""
 
 KEYS = {FIXED: "fixed", HANDLE: "handles", FORM_FEATURE: "features", FOLLOWER: "regions"}
-"""Where a recipe lists the regions of a role."""
+"""Recipe list of the regions of each role."""
 
 RELATION_KEYS = {GROUP: "groups", COAXIAL: "coaxial", DISTANCE: "distance"}
-"""Where a recipe lists the relations of a type."""
+"""Recipe list of the relations of each type."""
 
 
 def names_of(assembly) -> dict[str, str]:
-    """Return the recipe's name of every part, region, contact, relation by document object name.
+    """Return the recipe names of parts, regions, contacts and relations by object name.
 
-    Labels, because the user reads them. A label that another object or an entry of the imported
-    recipe has gets the object's own name behind it. Here and below `assembly` may be the
-    Members of one: a caller of several functions reads them once.
+    They are labels, because the user reads them. A label that another object or an entry of the
+    imported recipe uses is followed by the object name. Here and below `assembly` may be its
+    Members, which callers of several functions read once.
     """
     return {found: name for (_, name), found in objects_of(assembly).items()}
 
 
 def objects_of(assembly) -> dict[tuple[str, str], str]:
-    """Return the document object names by list of the recipe and name there."""
+    """Return the document object names by recipe list and name."""
     found: dict[tuple[str, str], str] = {}
     members = Members.of(assembly)
     of_list = {
@@ -74,10 +74,10 @@ def objects_of(assembly) -> dict[tuple[str, str], str]:
 
 
 def recipe_of(assembly, ids: dict[str, np.ndarray]) -> dict:
-    """Return the recipe of `assembly` without its pose; raises MorphError for lost vertices.
+    """Return the recipe of `assembly` without its pose. Raises MorphError for lost vertices.
 
-    `ids`: by object name of a part the ids (n,) of its vertices in its file. The parts have no
-    files; who writes a recipe adds them.
+    `ids` has the file ids (n,) of the vertices by object name of the part. The entries of the parts
+    have no files; the writer of a recipe adds them.
     """
     members = Members.of(assembly)
     names, found, assembly = names_of(members), members.parts, members.assembly
@@ -117,7 +117,7 @@ def primary_of(assembly):
 
 
 def relation_entries(members: Members, names: dict[str, str]) -> dict[str, list]:
-    """Return the groups and pairs of form features that are complete, by key of the recipe."""
+    """Return the complete groups and pairs of form features by recipe key."""
     entries: dict[str, list] = {}
     for relation in members.relations:
         features = [f for f in relation.Features if f in members.group and f.Part is not None]
@@ -128,7 +128,7 @@ def relation_entries(members: Members, names: dict[str, str]) -> dict[str, list]
 
 
 def answer_options(assembly) -> dict:
-    """Return the plane of symmetry, the refinement, what becomes of loose pieces, where chosen."""
+    """Return symmetry, refinement and behaviour of loose pieces, if not the default."""
     found: dict = {}
     if assembly.Symmetry:
         point, normal = (
@@ -143,28 +143,28 @@ def answer_options(assembly) -> dict:
 
 
 def part_entry(part, names: dict[str, str]) -> dict:
-    """Return the recipe's entry of a part without its file."""
+    """Return the recipe entry of a part without its file."""
     mode = MODES.index(part.Mode)
     found = {"name": names[part.Name], **({"mode": mode} if mode else {})}
     return {**found, **thin_entry(part), **sheet_entry(part)}
 
 
 def sheet_entry(part) -> dict:
-    """Return what a part is as steel, where that is not what is usual."""
+    """Return the steel properties of a part, if not the default."""
     thickness, poisson = number_of(part, "SheetThickness") or told_thickness(part), part.Poisson
     found = {"thickness": thickness} if thickness > 0.0 else {}
     return {**found, **({"poisson": poisson} if poisson != 0.3 else {})}
 
 
 def thin_entry(part) -> dict:
-    """Return the key that makes a part a thin solid, none for one that is solved as it is."""
+    """Return the recipe key of a thin solid; empty for any other part."""
     if part.Thin == THIN_AUTOMATIC:
         return {"thin": "auto"}
     return {"thin": {"thickness": number_of(part, "Thickness")}} if part.Thin == THIN_GIVEN else {}
 
 
 def propagation_of(assembly) -> dict:
-    """Return how the motion reaches the other parts, as a recipe has it."""
+    """Return the propagation in the form of a recipe."""
     return {
         "type": assembly.Propagation,
         "levels": assembly.Levels,
@@ -173,18 +173,18 @@ def propagation_of(assembly) -> dict:
 
 
 def used_contacts(assembly) -> list:
-    """Return the contacts that are active and have both their parts."""
+    """Return the active contacts whose parts both exist."""
     members = Members.of(assembly)
     return [c for c in members.contacts if c.Active and has_both_parts(c, members.parts)]
 
 
 def has_both_parts(contact, parts: list) -> bool:
-    """Whether both sides of a contact are among the parts: neither deleted nor dragged out."""
+    """Return whether both parts of a contact are in the assembly."""
     return contact.PartA in parts and contact.PartB in parts
 
 
 def contact_entry(contact, names: dict[str, str], ids: dict[str, np.ndarray]) -> dict:
-    """Return the recipe's entry of one contact; raises MorphError for lost vertices."""
+    """Return the recipe entry of a contact. Raises MorphError for lost vertices."""
     entry = {"name": names[contact.Name], "type": contact.Type}
     for side, part in (("a", contact.PartA), ("b", contact.PartB)):
         vertices = model.contact_vertices(contact, side)
@@ -194,9 +194,9 @@ def contact_entry(contact, names: dict[str, str], ids: dict[str, np.ndarray]) ->
 
 
 def ids_of(vertices: np.ndarray, owner: tuple, ids: np.ndarray) -> list[int]:
-    """Return the file ids of vertices; `owner`: who has them, and the part.
+    """Return the file ids of vertices; `owner` has their object and the part.
 
-    Raises MorphError if there are none, or one that the part has no longer.
+    Raises MorphError if there are none, or if the part has lost one.
     """
     obj, part = owner
     word = "Contact" if kind(obj) == CONTACT else "Region"
@@ -216,7 +216,7 @@ def ids_of(vertices: np.ndarray, owner: tuple, ids: np.ndarray) -> list[int]:
 
 
 def entry_of(region, names: dict[str, str], ids: np.ndarray) -> dict:
-    """Return the recipe's entry of one region; raises MorphError if it has lost its vertices."""
+    """Return the recipe entry of a region. Raises MorphError for lost vertices."""
     entry = {
         "name": names[region.Name],
         "part": names[region.Part.Name],
@@ -225,7 +225,7 @@ def entry_of(region, names: dict[str, str], ids: np.ndarray) -> dict:
     if region.Role == FOLLOWER:
         entry["role"] = FOLLOWER
     if region.Role == FORM_FEATURE:
-        # Only whether it is prescribed is structure; by how much is in the pose.
+        # The recipe states only whether the rotation is prescribed; the pose has its value.
         is_prescribed = region.Rotation == PRESCRIBED
         entry["rotation"] = {"axis": [0, 0, 1], "degrees": 0} if is_prescribed else region.Rotation
         entry.update(allowed_of(region))
@@ -235,7 +235,7 @@ def entry_of(region, names: dict[str, str], ids: np.ndarray) -> dict:
 
 
 def allowed_of(feature) -> dict:
-    """Return the motion and the size of a form feature, as far as they are set."""
+    """Return the motion and the size of a form feature, if set."""
     found: dict = {}
     direction = list(vector_of(feature, "MotionDirection"))
     if feature.Motion != FREE:
@@ -252,8 +252,7 @@ def allowed_of(feature) -> dict:
 
 
 def pose_of(assembly, names: dict[str, str] | None = None) -> dict:
-    """Return the pose by name in the recipe: motions of handles, rotations of features, and what
-    an imported recipe tells about points."""
+    """Return the pose by recipe name: handles, prescribed rotations, and imported points."""
     members = Members.of(assembly)
     names = names or names_of(members)
     pose = dict(extras_of(members.assembly, "pose"))
@@ -265,14 +264,14 @@ def pose_of(assembly, names: dict[str, str] | None = None) -> dict:
 
 
 def entries_of(pose: dict) -> dict:
-    """Return a pose as a recipe has it."""
+    """Return a pose in the form of a recipe."""
     return {k: one.entry() if isinstance(one, Motion) else one for k, one in pose.items()}
 
 
 def beside_of(assembly) -> tuple[dict, dict[str, str]]:
-    """Return what a recipe says of files beyond those of parts, and their texts by name.
+    """Return the recipe keys for files other than parts, and their texts by name.
 
-    Those are repair, and the files of welds and bolts of an imported recipe; FreeCAD uses neither.
+    These are the repair criteria and joint files of an imported recipe; FreeCAD uses neither.
     """
     joints, texts = extras_of(assembly, "joint_files"), extras_of(assembly, "files")
     names = [assembly.Repair, *(one["file"] for one in joints)]
@@ -282,10 +281,10 @@ def beside_of(assembly) -> tuple[dict, dict[str, str]]:
 
 
 def extras_of(assembly, part: str = "recipe") -> dict:
-    """Return what an imported recipe held beyond regions, of the `recipe` or of its `pose`, or one
-    of `joint_files` and `files`.
+    """Return data of an imported recipe without objects: `recipe`, `pose`, `joint_files` or
+    `files`.
 
-    In a recipe those are lists of entries, such as points on triangles; their part is a document
+    Those of the recipe are lists of entries, such as points on triangles; their part is a document
     object name.
     """
     return json.loads(assembly.Extras).get(part, {}) if assembly.Extras else {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parts of an assembly at rest, read from the document in double and in global coordinates."""
+"""The parts of an assembly at rest, in double precision and global coordinates."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from freecad.sheetmorph.objects.errors import MorphError
 
 
 _KNOWN = ("labels", "rows", "faces")
-"""What a mesh that was edited has no longer."""
+"""Data that an edited mesh loses."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,14 +28,14 @@ class RestPart:
     label: str
     points: np.ndarray  # (n, 3) float64, global, mm
     triangles: np.ndarray  # (m, 3) int32
-    ids: np.ndarray | None  # (n,) vertex ids of the file; None: the indices
+    ids: np.ndarray | None  # (n,) vertex ids of the file; None for the indices
     frame: Frame
-    is_from_file: bool = False  # in double and, vertex by vertex, as in the file it came from
-    rows: np.ndarray | None = None  # (n,) where the vertices are in the mesh of a deck
-    faces: np.ndarray | None = None  # (e, 4) corners of elements, -1 in the last one of triangles
+    is_from_file: bool = False  # in double precision, with the vertices of its file
+    rows: np.ndarray | None = None  # (n,) vertex indices in the mesh of a deck
+    faces: np.ndarray | None = None  # (e, 4) corners of elements, -1 last for triangles
 
     def file_ids(self) -> np.ndarray:
-        """Return the ids (n,) of the vertices in the part's file."""
+        """Return the file ids (n,) of the vertices."""
         return np.arange(len(self.points)) if self.ids is None else self.ids
 
     @cached_property
@@ -50,9 +50,9 @@ class RestPart:
 def read_rest(part) -> RestPart:
     """Return `part` at rest.
 
-    An imported part has its positions from the file, in double, as long as nobody edited its
-    source mesh; any other has the single precision positions of its source mesh.
-    Raises MorphError if the source is missing or empty.
+    An imported part has the double precision positions of its file until somebody edits its source
+    mesh. Any other part has the single precision positions of its source mesh. Raises MorphError if
+    the source is missing or empty.
     """
     source = part.Source
     if source is None:
@@ -80,33 +80,33 @@ def read_rest(part) -> RestPart:
 
 @dataclass(frozen=True, eq=False)
 class Kept:
-    """A mesh as a document keeps it, in file coordinates."""
+    """A mesh in the form stored by a document, in file coordinates."""
 
     points: np.ndarray  # (n, 3) float64
     triangles: np.ndarray  # (m, 3) int32
-    ids: np.ndarray | None  # (n,) vertex ids of the file; None: the indices
+    ids: np.ndarray | None  # (n,) vertex ids of the file; None for the indices
     frame: Frame
-    features: list[dict]  # what is known exactly; none for most parts
-    is_exact: bool  # in double; else what the mesh object has, in single precision
-    labels: object = None  # a sheetmorph.labels.Labels: what the file calls parts of it
-    rows: np.ndarray | None = None  # as of RestPart
+    features: list[dict]  # exact features; empty for most parts
+    is_exact: bool  # in double precision; else that of the mesh object, in single precision
+    labels: object = None  # a sheetmorph.labels.Labels with the names in the file
+    rows: np.ndarray | None = None  # as in RestPart
     faces: np.ndarray | None = None
 
 
 def read_kept(part) -> Kept:
-    """Return the mesh that `part` rests on."""
+    """Return the rest mesh of `part`."""
     return read_mesh_of(part.Source, part.RestData)
 
 
 def read_original(part) -> Kept:
-    """Return the mesh that was added or imported, which may have been prepared since."""
+    """Return the mesh that was added or imported, before any preparation."""
     if part.Original is None:
         return read_kept(part)
     return read_mesh_of(part.Original, part.OriginalData)
 
 
 def read_mesh_of(source, path: str) -> Kept:
-    """Return the mesh of `source`, in double if `path`, from `write_rest_data`, still is of it."""
+    """Return the mesh of `source`, in double precision if the data at `path` is still valid."""
     snapshot = snapshot_of(source)
     key = version_of(path)
     stored = snapshot.derived("rest data", key, lambda: rest_data_of(snapshot, path))
@@ -116,7 +116,7 @@ def read_mesh_of(source, path: str) -> Kept:
 
 
 def version_of(path: str) -> tuple | None:
-    """Return what changes when the file that a document includes at `path` is another one."""
+    """Return a key that changes with the file at `path`."""
     if not path:
         return None
     state = os.stat(path)
@@ -124,7 +124,7 @@ def version_of(path: str) -> tuple | None:
 
 
 def rest_data_of(snapshot: Snapshot, path: str) -> dict:
-    """Return points in double, ids, origin, features of a mesh, from the file if it is of it."""
+    """Return points in double, ids, origin and features, from the file if it matches the mesh."""
     stored = read_rest_data(path)
     is_exact = stored is not None and is_same_mesh(stored, snapshot.points, snapshot.triangles)
     if not is_exact:
@@ -136,12 +136,12 @@ def rest_data_of(snapshot: Snapshot, path: str) -> dict:
 
 
 def read_rest_data(path: str) -> dict | None:
-    """Return what `write_rest_data` stored; None without a path."""
+    """Return the data of `write_rest_data`, or None without a path."""
     if not path:
         return None
     with stored_arrays.opened(path) as data:
         stored = {name: data[name] for name in ("points", "ids", "origin")}
-        # Earlier documents have the triangles themselves.
+        # Older documents have the triangles themselves.
         is_early = "triangles" in data
         stored["topology"] = topology_of(data["triangles"]) if is_early else data["topology"]
         told = stored_arrays.text_in(data["features"]) if "features" in data else "[]"
@@ -155,9 +155,9 @@ def read_rest_data(path: str) -> dict | None:
 def write_rest_data(
     path: str, mesh, origin: np.ndarray, features: list[dict] = (), **of_deck: np.ndarray
 ) -> None:
-    """Write the doubles of an imported part: `mesh` is a sheetmorph.PartMesh, `origin` (3,).
+    """Write the double precision data of a sheetmorph.PartMesh with its `origin` (3,).
 
-    `features`: those of a CAD part, whose vertices are indices; `of_deck`: rows and faces.
+    `features` are those of a CAD part, with vertex indices. `of_deck` has rows and faces.
     """
     ids = np.zeros(0, np.int64) if mesh.ids is None else mesh.ids
     known = stored_arrays.of_text(json.dumps(list(features)))
@@ -168,13 +168,13 @@ def write_rest_data(
 
 
 def topology_of(triangles: np.ndarray) -> np.ndarray:
-    """Return a fingerprint of triangles (m, 3): the mesh object has the triangles themselves."""
+    """Return a fingerprint of triangles (m, 3); the mesh object has the triangles themselves."""
     numbers = np.ascontiguousarray(triangles, np.int32).tobytes()
     return np.frombuffer(hashlib.blake2b(numbers, digest_size=16).digest(), np.uint8)
 
 
 def is_same_mesh(stored: dict, local: np.ndarray, triangles: np.ndarray) -> bool:
-    """Whether the source mesh still is what was imported, bit for bit in single precision."""
+    """Return whether the source mesh is bitwise the imported one in single precision."""
     if stored["points"].shape != local.shape:
         return False
     imported = (stored["points"] - stored["origin"]).astype(np.float32)

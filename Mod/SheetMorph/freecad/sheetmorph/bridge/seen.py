@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts as they are seen now, deformed and placed, for picking."""
+"""Parts as displayed, deformed and placed, for picking."""
 
 import numpy as np
 
@@ -11,12 +11,12 @@ from freecad.sheetmorph.tools.part_mesh import PartMesh
 
 
 def frame_of(part) -> conversion.Frame:
-    """How the coordinates of a part's mesh become global ones."""
+    """Return the mapping from the coordinates of a part's mesh to global ones."""
     return conversion.frame_of(part.Source, np.zeros(3))
 
 
 def mesh_of(part) -> PartMesh:
-    """What can be picked on a part."""
+    """Return the pickable mesh of a part."""
     rest, frame, snapshot = read_rest(part), frame_of(part), snapshot_of(part)
 
     def mesh() -> PartMesh:
@@ -27,28 +27,28 @@ def mesh_of(part) -> PartMesh:
 
 
 def part_meshes(assembly) -> dict[str, PartMesh]:
-    """What can be picked, for every part of a morph, by object name."""
+    """Return the pickable meshes of all parts of a morph by object name."""
     return {part.Name: mesh_of(part) for part in model.parts(assembly)}
 
 
 def visible_meshes(assembly, part) -> dict[str, PartMesh]:
-    """The same for those parts of a morph that are shown, and for one part in any case."""
+    """Return the pickable meshes of the visible parts of a morph, and of one part in any case."""
     shown = [p for p in model.parts(assembly) if p == part or p.ViewObject.Visibility]
     return {each.Name: mesh_of(each) for each in shown}
 
 
 def triangles(part):
-    """The triangles (m, 3) of a part as they are drawn."""
+    """Return the displayed triangles (m, 3) of a part."""
     return snapshot_of(part).triangles
 
 
 def corners(part) -> np.ndarray:
-    """Where a part is drawn, (k, 3) global mm: the corners of its triangles, once each."""
+    """Return the displayed positions (k, 3), global mm, of the used vertices of a part."""
     return positions([(part, np.unique(triangles(part)))])
 
 
 def positions(places) -> np.ndarray:
-    """Where places are drawn, (k, 3) global mm; ``places``: parts, and vertices (k,) of each."""
+    """Return the displayed positions (k, 3), global mm, of parts with vertices (k,)."""
     found = [np.zeros((0, 3))]
     for part, vertices in places:
         local = snapshot_of(part).points[np.asarray(vertices, dtype=int)].astype(float)
@@ -57,7 +57,7 @@ def positions(places) -> np.ndarray:
 
 
 def places_of(obj) -> list:
-    """The parts of a region or contact that are there, and their vertices (k,) as drawn."""
+    """Return the existing parts of a region or contact with their displayed vertices (k,)."""
     if model.kind(obj) == model.REGION:
         found = [(obj.Part, model.vertices(obj))]
     else:
@@ -68,5 +68,5 @@ def places_of(obj) -> list:
 
 
 def as_drawn(part, vertices: np.ndarray) -> np.ndarray:
-    """Those of some vertices (k,) that the drawn mesh has: it may still be the one before."""
+    """Return the vertices (k,) that exist in the displayed mesh, which may be outdated."""
     return vertices[vertices < len(snapshot_of(part).points)]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Selectors in documents: what a region says it is, resolved on the mesh its part rests on.
+"""Selectors in documents, resolved on the rest mesh of a part.
 
-Coordinates are those of the part's file, as in a recipe, so that the part may be moved. What a
-figure drawn in a view takes is known here alone.
+Coordinates are those of the part's file, as in a recipe, so that the part can be moved. Only this
+module resolves figures drawn in a view.
 """
 
 from __future__ import annotations
@@ -24,19 +24,19 @@ from freecad.sheetmorph.tools.shortening import shortened
 
 
 def is_selector(given: Any) -> bool:
-    """Whether somebody gave a selector, or a list of them, rather than vertices."""
+    """Return whether a value is a selector or a list of selectors, not vertices."""
     if isinstance(given, dict):
         return True
     return isinstance(given, (list, tuple)) and any(isinstance(one, dict) for one in given)
 
 
 def select(part, where: Any) -> np.ndarray:
-    """Return the vertices (k,) that a selector stands for on a part; ValueError if it is wrong."""
+    """Return the vertices (k,) of a selector on a part. Raises ValueError if it is invalid."""
     return chosen_on(shape_of(part), where).vertices
 
 
 def chosen_on(shape, where: Any):
-    """Return what a selector stands for on a shape, a sheetmorph.selecting.Chosen."""
+    """Return the region of a selector on a shape, a sheetmorph.selecting.Chosen."""
     faults = kernel.load().recipe.where_faults(where)
     if faults:
         raise ValueError(str(faults[0]))
@@ -44,7 +44,7 @@ def chosen_on(shape, where: Any):
 
 
 def shape_of(part, kept: Kept | None = None):
-    """Return a part as selectors see it, or the mesh that it is about to rest on."""
+    """Return a part as selectors see it, or its future rest mesh."""
     if kept is not None:
         return made_shape(part, kept)
     kept = read_kept(part)
@@ -64,8 +64,10 @@ def made_shape(part, kept: Kept):
 
 
 def drawn(part, kept: Kept, told: dict) -> np.ndarray:
-    """Return the vertices (k,) that a figure takes, as the picker takes them: hidden ones not,
-    unless it goes through; what is in front are the parts that are shown, at rest."""
+    """Return the vertices (k,) inside a figure, as the picker does.
+
+    Vertices hidden by visible parts at rest are left out, unless the figure selects through.
+    """
     figure = sentences.figure_of(told)
     core = kernel.core()
     mesh = PartMesh(core, (kept.points, kept.triangles), kept.points)
@@ -76,7 +78,7 @@ def drawn(part, kept: Kept, told: dict) -> np.ndarray:
 
 
 def others_in_front(part, frame: Frame) -> list[PartMesh]:
-    """Return the other parts of a morph that are shown, in the file coordinates of one."""
+    """Return the other visible parts of a morph, in the file coordinates of one."""
     shown = [p for p in model.parts(model.assembly_of(part)) if p != part and p.Visibility]
     found = []
     for other in shown:
@@ -87,22 +89,21 @@ def others_in_front(part, frame: Frame) -> list[PartMesh]:
 
 
 def words_of(part, said: Any, length: sentences.Length = sentences.SHOWN) -> Any:
-    """Return what a pick said in the coordinates of the part's file, no longer than that."""
+    """Return the selector of a pick in file coordinates, at a limited length."""
     return sentences.simplest(sentences.in_file(said, read_kept(part).frame, length))
 
 
 def spaces_of(part, where: Any) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Return boxes, planes, cylinders and spheres that a selector speaks of: vertices (k, 3),
-    global mm, and triangles."""
+    """Return the volumes in a selector as vertices (k, 3), global mm, and triangles."""
     kept = read_kept(part)
     found = spaces.shapes_of(where, kept.points)
     return [(kept.frame.to_global(points), triangles) for points, triangles in found]
 
 
 def sentence_for(part, said: Any, vertices: np.ndarray) -> Any:
-    """Return what a pick said, in the coordinates of the part's file and as short as it may be.
+    """Return the shortest selector of a pick in file coordinates.
 
-    None where it does not give exactly these vertices: then they themselves are what is known.
+    Return None if it does not give exactly these vertices.
     """
     if said is None:
         return None
@@ -118,8 +119,10 @@ def sentence_for(part, said: Any, vertices: np.ndarray) -> Any:
 
 
 def source_for(part, wanted: list, vertices: np.ndarray) -> str:
-    """Return how a macro line says which vertices: by the first of some sentences of picks that
-    gives them, else by their ids."""
+    """Return the vertices as source text for a macro line.
+
+    It is the first selector of the picks that gives them, else their ids.
+    """
     for said in wanted:
         where = sentence_for(part, said, vertices)
         if where is not None:
@@ -128,15 +131,16 @@ def source_for(part, wanted: list, vertices: np.ndarray) -> str:
 
 
 def sentence_of(owner, side: str = "") -> Any:
-    """Return what a region, or side "a" or "b" of a contact, says it is; None if only its vertices
-    are known."""
+    """Return the selector of a region, or of side "a" or "b" of a contact, or None."""
     said = getattr(owner, f"Where{side.upper()}")
     return json.loads(said) if said else None
 
 
 def following_of(part, kept: Kept, scale: float):
-    """Return the two states of a part, a sheetmorph.selecting.Following: the mesh that it rests on,
-    and the mesh that it is about to rest on, which is `scale` times as large."""
+    """Return the current and the future rest mesh as sheetmorph.selecting.Following.
+
+    The future mesh is `scale` times as large.
+    """
     return kernel.selecting_module().Following(shape_of(part), shape_of(part, kept), scale)
 
 
@@ -146,7 +150,7 @@ def question_type() -> type[ValueError]:
 
 
 def followed_text(label: str, following, before: Any, followed) -> str:
-    """Return a sentence on what became different of a region that was followed; "" if nothing."""
+    """Return a sentence on the changes of a transferred region, or ""."""
     old = following.old
     area = following.scale**2 * old.area_of(chosen_on(old, before))
     told = told_difference(label, area, following.new.area_of(followed.chosen))
@@ -155,11 +159,11 @@ def followed_text(label: str, following, before: Any, followed) -> str:
 
 
 LEAST = 0.03
-"""Of its area: by how much a region may differ on another mesh without a word."""
+"""Relative change of a region's area that is not reported."""
 
 
 def told_difference(label: str, before: float, after: float) -> str:
-    """Return a sentence if the area of a region, mm^2, is not what it was."""
+    """Return a sentence if the area of a region, mm^2, changed."""
     if abs(after - before) <= LEAST * max(before, after):
         return ""
     return f"'{label}' covers {after:.4g} mm2 now, {before:.4g} mm2 before."

@@ -19,13 +19,20 @@ from freecad.sheetmorph.objects.errors import MorphError
 _SAME = 1e-9
 
 
-def keep_shape(part, model, number: int) -> None:
-    """Keep in a part of the document the shape that one part of a CadModel was meshed from."""
+def kept_shape(model, number: int) -> dict[str, np.ndarray]:
+    """The shape that one part of a CadModel was meshed from, as a document keeps it.
+
+    Ask for it before the document changes: the model's worker may have ended. Raises ValueError.
+    """
+    mesh = np.frombuffer(model.kept_mesh(number), dtype=np.uint8)
+    return {"brep": stored_arrays.of_text(model.brep(number)), "mesh": mesh}
+
+
+def keep_shape(part, kept: dict[str, np.ndarray]) -> None:
+    """Keep a `kept_shape` in a part of the document."""
     with conversion.temporary_folder() as folder:
         stored = os.path.join(folder, "shape.npz")
-        mesh = np.frombuffer(model.kept_mesh(number), dtype=np.uint8)
-        brep = stored_arrays.of_text(model.brep(number))
-        stored_arrays.write(stored, brep=brep, mesh=mesh)
+        stored_arrays.write(stored, **kept)
         part.ShapeData = stored
 
 
@@ -33,7 +40,7 @@ def kept_model(part):
     """The CadModel of the kept shape. Raises ValueError."""
     with stored_arrays.opened(part.ShapeData) as data:
         brep, mesh = stored_arrays.text_in(data["brep"]), data["mesh"].tobytes()
-    return kernel.load().kernel.load_cad().kept_model(brep, mesh, part.Label)
+    return kernel.cad_module().kept_model(brep, mesh, part.Label)
 
 
 def has_shape(part) -> bool:

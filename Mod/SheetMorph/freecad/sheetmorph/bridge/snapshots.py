@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Meshes of the document as arrays: each read once, until it changes, for all who need it.
+"""Meshes of the document as arrays, each read once until it changes.
 
-FreeCAD gives its meshes away only through a file, which takes longer than most of what is done
-with them.
+FreeCAD provides a mesh only through a file, which takes longer than most uses of it.
 """
 
 from __future__ import annotations
@@ -18,10 +17,10 @@ from freecad.sheetmorph.bridge import conversion
 
 
 class Snapshot:
-    """A mesh as it is now; nobody may write into its arrays."""
+    """The current state of a mesh; its arrays are read-only."""
 
     def __init__(self, mesh):
-        """`mesh`: a FreeCAD mesh."""
+        """Read a FreeCAD mesh."""
         self.points, self.triangles = conversion.read_mesh(mesh)  # (n, 3) float32 local, (m, 3)
         self.points.setflags(write=False)
         self.triangles.setflags(write=False)
@@ -37,7 +36,7 @@ class Snapshot:
         return self.triangles[np.unique(triangles[places])]
 
     def derived(self, name: str, key: Any, make: Callable[[], Any]) -> Any:
-        """Return what `make` makes of the mesh and of `key`; it is kept while both stay."""
+        """Return a value computed from the mesh and `key`; it is cached while both stay."""
         kept = self._derived.get(name)
         if kept is None or kept[0] != key:
             kept = self._derived[name] = (key, make())
@@ -45,14 +44,14 @@ class Snapshot:
 
     @cached_property
     def _around(self) -> tuple[np.ndarray, np.ndarray]:
-        """Where the triangles of each vertex begin in a list of all, and that list."""
+        """Start index of each vertex in a list of triangles, and that list."""
         corners = self.triangles.ravel()
         counts = np.bincount(corners, minlength=len(self.points))
         return (np.concatenate([[0], np.cumsum(counts)]), np.argsort(corners, kind="stable") // 3)
 
 
 class Snapshots:
-    """The snapshots of all documents; a document observer, so that none outlives its mesh."""
+    """The snapshots of all documents; an observer that discards outdated ones."""
 
     def __init__(self) -> None:
         self._kept: dict[str, dict[str, Snapshot]] = {}
@@ -67,21 +66,24 @@ class Snapshots:
         return kept
 
     def slotChangedObject(self, obj, name: str) -> None:
-        """FreeCAD calls this after every change of a property, also by undo."""
+        """Handle the change of a property, also by undo."""
         if name == "Mesh" and obj.Document.Name in self._kept:
             self._kept[obj.Document.Name].pop(obj.Name, None)
 
     def slotDeletedObject(self, obj) -> None:
-        """Another object may get its name."""
+        """Discard a snapshot, because another object may get its name."""
         self._kept.get(obj.Document.Name, {}).pop(obj.Name, None)
 
     def slotDeletedDocument(self, document) -> None:
-        """Another document may get its name."""
+        """Discard the snapshots, because another document may get its name."""
         self._kept.pop(document.Name, None)
 
 
 def is_as_large(snapshot: Snapshot, mesh) -> bool:
-    """Whether a snapshot has the counts of a mesh: while a document opens meshes come late."""
+    """Return whether the counts of a snapshot and a mesh agree.
+
+    When a document opens, its meshes arrive late.
+    """
     counts = (len(snapshot.points), len(snapshot.triangles))
     return counts == (mesh.CountPoints, mesh.CountFacets)
 
@@ -94,5 +96,5 @@ def _all() -> Snapshots:
 
 
 def snapshot_of(feature) -> Snapshot:
-    """Return the mesh of a `Mesh::Feature` as it is now, local."""
+    """Return the current mesh of a `Mesh::Feature` in local coordinates."""
     return _all().of(feature)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sessions of the kernel, kept between recomputes and found again by content.
+"""Sessions of the kernel, cached between recomputes and found by their content.
 
-A session is rebuilt only when meshes, regions, contacts or the energy change, and then takes over
-from the one before what did not change. A pose needs none; an undo that brings back an earlier
-state finds its session and its result again.
+A session is rebuilt only if meshes, regions, contacts or the energy change. It reuses the unchanged
+data of the previous session. A new pose needs no rebuild. An undo to an earlier state finds its
+session and its result again.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ from freecad.sheetmorph.tools.poses import Pose
 ControlMesh = tuple[np.ndarray, np.ndarray]
 """Vertices (m, 3) float64, global, mm, and triangles (t, 3) int32."""
 FAILURES = (ValueError, RuntimeError, OSError)
-"""What the kernel, its package and the document raise for the person to read."""
-LOOK = 0.05  # seconds between two looks at what another thread computes
+"""Errors of kernel, package and document with a message for the user."""
+LOOK = 0.05  # seconds between two checks of another thread
 ORPHANED = "The morph of this part was deleted: undo that, or delete the part too."
 
 __all__ = ["MorphError", "Outcome", "SessionCache", "cache_of", "read_morph"]
@@ -39,18 +39,18 @@ __all__ = ["MorphError", "Outcome", "SessionCache", "cache_of", "read_morph"]
 
 @dataclass(frozen=True, eq=False)
 class Morph:
-    """All of an assembly that decides the result, read from the document."""
+    """All data of an assembly that determine the result, read from the document."""
 
     recipe: dict  # without pose
     pose: dict
     rests: dict[str, RestPart]  # by document object name
-    names: dict[str, str]  # document object name -> name in the recipe
-    objects: dict[tuple[str, str], str]  # list of the recipe and name there -> object name
+    names: dict[str, str]  # document object name to recipe name
+    objects: dict[tuple[str, str], str]  # recipe list and name to object name
     ignored: tuple[str, ...] = ()  # labels of regions and contacts that have lost their part
 
     @cached_property
     def key(self) -> str:
-        """A fingerprint of everything but the pose."""
+        """A fingerprint of everything except the pose."""
         state = hashlib.blake2b(repr(self.recipe).encode(), digest_size=16)
         for rest in self.rests.values():
             state.update(rest.digest.encode())
@@ -58,22 +58,22 @@ class Morph:
 
     @property
     def answer_key(self) -> tuple:
-        """What an answer is found by: fingerprint, pose, and the objects that it is shown at."""
+        """Cache key of an answer: fingerprint, pose, and object names."""
         return self.key, repr(self.pose), tuple(self.names.items())
 
     @property
     def contacts(self) -> dict[str, str]:
-        """Document object names of the contacts by name in the recipe."""
+        """Document object names of the contacts by recipe name."""
         return {name: found for (of, name), found in self.objects.items() if of == "contact"}
 
     def is_held(self) -> bool:
-        """Whether anything is fixed or moved, so that there is something to solve."""
+        """Return whether any vertex is prescribed, so that there is something to solve."""
         return any(self.recipe.get(kind) for kind in ("fixed", "handles", "points"))
 
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """What a recompute found: positions of all parts, or why there are none."""
+    """The result of a recompute: positions of all parts, or the reason for their absence."""
 
     failure: Fault = Fault("")
     status: str = ""
@@ -83,7 +83,7 @@ class Outcome:
 
 
 def read_morph(assembly) -> Morph:
-    """Read an assembly from its document; raises MorphError if a part has no usable mesh."""
+    """Read an assembly from its document. Raises MorphError if a part has no usable mesh."""
     members = Members(assembly)
     rests = {part.Name: read_rest(part) for part in members.parts}
     ids = {name: rest.file_ids() for name, rest in rests.items()}
@@ -107,7 +107,7 @@ def ignored_in(members: Members) -> tuple[str, ...]:
 class SessionCache:
     """The latest sessions and answers of one assembly, found by content.
 
-    Several threads may use it: it builds sessions and solves poses outside of the lock.
+    It is thread-safe. Sessions are built and poses are solved outside of the lock.
     """
 
     KEPT = 2
@@ -115,16 +115,16 @@ class SessionCache:
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._outcomes: OrderedDict[tuple, Outcome] = OrderedDict()
-        self._coming: dict[tuple, Future] = {}  # what a thread beside the window's computes
+        self._coming: dict[tuple, Future] = {}  # computed in a background thread
         self._sessions: OrderedDict[str, Any] = OrderedDict()
         self._results: OrderedDict[tuple, Any] = OrderedDict()
         self._refused: OrderedDict[str, ValueError] = OrderedDict()
         self._writers: dict[str, conversion.MeshWriter] = {}
 
     def session(self, morph: Morph):
-        """Return the sheetmorph.Session of `morph`, building it if it is not kept.
+        """Return the sheetmorph.Session of `morph` from the cache, or build it.
 
-        What was wrong with a morph is kept too: a large one takes as long to fail as to succeed.
+        Errors are cached too, because a large morph takes as long to fail as to succeed.
         """
         with faults.named(morph.objects):
             return self._found(morph)
@@ -161,7 +161,7 @@ class SessionCache:
         )
 
     def result(self, morph: Morph, exact: bool = True):
-        """Return the sheetmorph.Result of `morph` in its pose, solving if it is not kept."""
+        """Return the sheetmorph.Result of `morph` in its pose from the cache, or solve it."""
         key = (morph.key, repr(morph.pose), exact)
         with self._lock:
             if key in self._results:
@@ -174,21 +174,20 @@ class SessionCache:
         return found
 
     def remember(self, morph: Morph, pose: dict, result: Any) -> None:
-        """Keep the exact sheetmorph.Result of `morph` in another pose, worked out elsewhere, with
-        all that a recompute in that pose needs."""
+        """Cache an exact sheetmorph.Result in another pose, with all data for a recompute in it."""
         posed = replace(morph, pose=pose)
         self._keep(self._results, (morph.key, repr(pose), True), result)
         self._solved(posed)
 
     def positions(self, morph: Morph, exact: bool = True) -> dict[str, np.ndarray]:
-        """Return the global positions (n, 3) of every part by object name; rest if none is held."""
+        """Return global positions (n, 3) by object name; those at rest without prescribed ones."""
         if not morph.is_held():
             return {name: rest.points for name, rest in morph.rests.items()}
         found = self.result(morph, exact).positions
         return {name: found[morph.names[name]] for name in morph.rests}
 
     def recomputed(self, assembly) -> Outcome:
-        """Solve `assembly`, None for a deformation without, and show what was found at it."""
+        """Solve `assembly`, None for an orphaned deformation, and show the findings."""
         if assembly is None:
             return Outcome(failure=Fault(ORPHANED))
         outcome = self.solve(assembly)
@@ -196,7 +195,7 @@ class SessionCache:
         return outcome
 
     def solve(self, assembly) -> Outcome:
-        """Read and solve `assembly`; what goes wrong is told in the outcome."""
+        """Read and solve `assembly`; the outcome contains errors."""
         try:
             morph = read_morph(assembly)
         except FAILURES as error:
@@ -204,12 +203,12 @@ class SessionCache:
         return self.outcome(morph)
 
     def is_known(self, morph: Morph) -> bool:
-        """Whether the answer of `morph` is kept, so that a recompute need not solve."""
+        """Return whether the answer of `morph` is cached, so that a recompute need not solve."""
         with self._lock:
             return morph.answer_key in self._outcomes
 
     def outcome(self, morph: Morph) -> Outcome:
-        """Return the answer of `morph`: kept, computed by another thread just now, or solved."""
+        """Return the answer of `morph`: cached, from a running thread, or solved now."""
         with self._lock:
             kept = self._outcomes.get(morph.answer_key)
             coming = self._coming.get(morph.answer_key)
@@ -223,9 +222,9 @@ class SessionCache:
         return replace(kept, morph=morph, status=status)
 
     def compute(self, morph: Morph, goes_on: reporting.Progress) -> Outcome:
-        """In a thread beside the window's: as `outcome`; who asks meanwhile waits for it.
+        """Compute an outcome in a background thread; other callers wait for it.
 
-        Raises Cancelled of the kernel when `goes_on(fraction, task)` says no.
+        Raises Cancelled of the kernel when `goes_on(fraction, task)` returns False.
         """
         coming: Future = Future()
         with self._lock:
@@ -255,7 +254,7 @@ class SessionCache:
         return outcome
 
     def findings(self, morph: Morph) -> Findings:
-        """Return what a recompute tells beyond positions; nothing while nothing is held."""
+        """Return the findings of a recompute; empty if no vertex is prescribed."""
         if not morph.is_held():
             return Findings()
         session, result = self.session(morph), self.result(morph)
@@ -263,7 +262,7 @@ class SessionCache:
         return replace(found, unsettled=unsettled_words(result))
 
     def steps(self, morph: Morph) -> list[Step]:
-        """Return the parts in the order of propagation; nothing while nothing is held."""
+        """Return the parts in the order of propagation; empty if no vertex is prescribed."""
         if not morph.is_held():
             return []
         parts = {morph.names[name]: name for name in morph.rests}
@@ -276,7 +275,7 @@ class SessionCache:
         return shown_control_mesh(self.result(morph), morph, contact)
 
     def mesh(self, outcome: Outcome, part):
-        """Return the FreeCAD mesh of `part` in an outcome; raises MorphError if it failed."""
+        """Return the FreeCAD mesh of `part` in an outcome. Raises MorphError if it failed."""
         if outcome.failure:
             raise MorphError(outcome.failure)
         rest = outcome.morph.rests.get(part.Name)
@@ -299,7 +298,7 @@ class SessionCache:
 
 
 def awaited(coming: Future, progress: reporting.Progress | None) -> Outcome | None:
-    """Return what another thread computes, None if it was stopped."""
+    """Return the result of another thread, or None if it was cancelled."""
     while not wait([coming], timeout=LOOK).done:
         if progress is not None and not progress(0.0, ""):
             raise kernel.core().Cancelled("Cancelled while another thread computes this shape.")
@@ -313,7 +312,7 @@ def failed(error: Exception) -> Outcome:
 
 
 def status_of(morph: Morph, found: Findings) -> str:
-    """Return how a solved morph is, in a sentence or two."""
+    """Return the status of a solved morph in one or two sentences."""
     if not morph.rests:
         return "Add a part."
     if not morph.is_held():
@@ -329,17 +328,17 @@ def status_of(morph: Morph, found: Findings) -> str:
 
 
 def tell_status(assembly, status: str) -> None:
-    """Show how a morph is whose parts have no final shape yet."""
+    """Show a status for a morph whose parts have no final shape yet."""
     set_where_new(assembly, "Status", status)
 
 
 def make_due(assembly) -> None:
-    """Let the next recompute of the document give the parts their shape."""
+    """Touch the deformation, so that the next recompute updates the parts."""
     deformation_of(assembly).touch()
 
 
 def deform(assembly, exact: bool = True) -> dict[str, np.ndarray]:
-    """Return global positions (n, 3) mm of every part by object name; raises MorphError."""
+    """Return global positions (n, 3), mm, of every part by object name. Raises MorphError."""
     try:
         found = cache_of(assembly).positions(read_morph(assembly), exact)
     except FAILURES as error:
@@ -348,7 +347,7 @@ def deform(assembly, exact: bool = True) -> dict[str, np.ndarray]:
 
 
 def deform_in(assembly, moved: Pose) -> dict[str, np.ndarray]:
-    """Return what `deform` does if some regions, by object name, move so; raises MorphError."""
+    """Return positions as `deform` does, with other motions of some regions. Raises MorphError."""
     try:
         cache, morph = cache_of(assembly), read_morph(assembly)
         pose = {**morph.pose, **{morph.names[name]: motion for name, motion in moved.items()}}
@@ -359,12 +358,12 @@ def deform_in(assembly, moved: Pose) -> dict[str, np.ndarray]:
 
 
 def unsettled_words(result) -> str:
-    """What of a sheetmorph.Result was not solved to its end, in sentences; empty if all was."""
+    """Return sentences on solves of a sheetmorph.Result that did not converge."""
     return " ".join(f"'{part}': {text}." for part, text in result.unsettled.items())
 
 
 def shown_control_mesh(result, morph: Morph, contact: str | None) -> ControlMesh | None:
-    """Return the control mesh in a sheetmorph.Result of a contact, by object name, or the one."""
+    """Return a contact's control mesh in a sheetmorph.Result, by object name, or the single one."""
     if contact is None:
         return result.control_mesh(None)
     used = {entry["name"] for entry in morph.recipe["contacts"]}
@@ -373,7 +372,7 @@ def shown_control_mesh(result, morph: Morph, contact: str | None) -> ControlMesh
 
 
 def steps(assembly) -> list[Step]:
-    """Return the parts in the order of propagation; raises MorphError."""
+    """Return the parts in the order of propagation. Raises MorphError."""
     try:
         return cache_of(assembly).steps(read_morph(assembly))
     except FAILURES as error:
@@ -381,7 +380,7 @@ def steps(assembly) -> list[Step]:
 
 
 def control_mesh(assembly, contact=None) -> ControlMesh | None:
-    """Return the control mesh of a contact in the document's pose, global; raises MorphError."""
+    """Return the control mesh of a contact in the document's pose, global. Raises MorphError."""
     try:
         name = None if contact is None else contact.Name
         return cache_of(assembly).control_mesh(read_morph(assembly), name)
@@ -390,7 +389,7 @@ def control_mesh(assembly, contact=None) -> ControlMesh | None:
 
 
 def cache_of(obj) -> SessionCache:
-    """Return the cache of the assembly that `obj` is or belongs to; raises MorphError."""
+    """Return the cache of the assembly that is or contains `obj`. Raises MorphError."""
     assembly = assembly_of(obj)
     deformation = deformation_of(assembly) if assembly is not None else None
     if deformation is None:

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Arrays in files that a document includes: as small as can be had at once.
+"""Arrays in files that a document includes, with fast compression.
 
-FreeCAD copies such a file byte by byte and compresses it, whenever the document is saved; nobody
-can do anything else meanwhile.
+FreeCAD copies and compresses such a file byte by byte at every save, and blocks meanwhile.
 """
 
 from __future__ import annotations
@@ -16,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-_LEVEL = 1  # of compression: more takes three times as long and gains a thirtieth
+_LEVEL = 1  # compression level; higher ones take three times as long and save 3 %
 
 
 def write(path: str, **arrays: np.ndarray) -> None:
@@ -29,7 +28,7 @@ def write(path: str, **arrays: np.ndarray) -> None:
 
 @contextmanager
 def opened(path: str) -> Iterator[Any]:
-    """Context with the arrays of a file by name. Raises ValueError, in words, for a damaged one."""
+    """Provide the arrays of a file by name. Raises ValueError with a sentence if it is damaged."""
     name = os.path.basename(path)
     damaged = ValueError(f"The file '{name}' in this document is damaged; add the part again.")
     try:
@@ -44,10 +43,10 @@ def opened(path: str) -> Iterator[Any]:
 
 
 def of_text(text: str) -> np.ndarray:
-    """Return a text as an array of bytes; as an array of text it would have four a character."""
+    """Return a text as an array of bytes, a quarter of the size of a text array."""
     return np.frombuffer(text.encode(), np.uint8)
 
 
 def text_in(array: np.ndarray) -> str:
-    """Return the text of an array that `of_text` made, or that numpy made of a text."""
+    """Return the text of an array from `of_text`, or of a numpy text array."""
     return array.tobytes().decode() if array.dtype == np.uint8 else str(array)

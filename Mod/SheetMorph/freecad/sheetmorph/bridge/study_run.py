@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A study that is computed in a process of its own, of the package that this workbench uses."""
+"""A study in a separate process, with the package that this workbench uses."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from pathlib import Path
 from freecad.sheetmorph.bridge import kernel
 
 OUT, SUMMARY = "out", "summary.json"
-# What the process runs: the command line, and beside it one who waits for the end of FreeCAD,
-# however that comes. Not by a file object: its lock would be held in what is forked. A FreeCAD that
-# a shell started in the background ignores interrupts, and hands that down; `cancel` needs them.
+# The process runs the command line, and a thread that waits for the end of FreeCAD. The thread uses
+# os.read, because forked processes would inherit the lock of a file object. A FreeCAD started in
+# the background of a shell ignores interrupts, and its children inherit this; `cancel` needs them.
 BOUND = """
 import os, runpy, signal, threading
 
@@ -32,10 +32,10 @@ runpy.run_module("sheetmorph", run_name="__main__", alter_sys=True)
 
 
 class StudyRun:
-    """From its beginning to `end`, which leaves no process and no temporary file."""
+    """A running study; `end` leaves no process and no temporary file."""
 
     def __init__(self, study_file: Path):
-        """Begin; raises OSError where there is no Python to run it."""
+        """Start the study. Raises OSError if there is no Python interpreter."""
         if not os.path.isfile(interpreter()):
             raise OSError(
                 f"There is no Python at {interpreter()} to compute the study with; write it with "
@@ -46,7 +46,7 @@ class StudyRun:
         package = str(kernel.package_folder().parent)
         paths = [package, *filter(None, [os.environ.get("PYTHONPATH")])]
         words = [interpreter(), "-c", BOUND, "study", str(study_file), "-o", str(self._out)]
-        # A group of its own: what it starts ends with it.
+        # In a separate process group, so that its children end with it.
         self._process = subprocess.Popen(
             [*words, "--engine", "processes", "--quiet"],
             env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
@@ -58,19 +58,19 @@ class StudyRun:
 
     @property
     def is_over(self) -> bool:
-        """Whether it has ended by itself, or been cancelled."""
+        """Whether the process has ended or was cancelled."""
         return self._process.poll() is not None
 
     @property
     def done(self) -> int:
-        """How many variants are there."""
+        """Number of finished variants."""
         if not self._out.is_dir():
             return 0
         return sum(name.isdecimal() for name in os.listdir(self._out))
 
     @property
     def fault(self) -> str:
-        """Why there is no table, one sentence; empty if there is one."""
+        """Why there is no table, in one sentence; empty if there is one."""
         if (self._out / SUMMARY).is_file():
             return ""
         self._said.seek(0)
@@ -78,18 +78,21 @@ class StudyRun:
         return lines[-1] if lines else "The study was cancelled before its first variant."
 
     def results(self) -> dict:
-        """Return the table, after it is over; raises ValueError with why there is none."""
+        """Return the table of a finished run.
+
+        Raises ValueError with the reason if there is none.
+        """
         if self.fault:
             raise ValueError(self.fault)
         return json.loads((self._out / SUMMARY).read_text("utf-8"))
 
     def cancel(self) -> None:
-        """Let it write a table of what is done, and end."""
+        """Make the process write a table of the finished variants, and end."""
         if not self.is_over:
             self._process.send_signal(signal.SIGINT)
 
     def end(self) -> None:
-        """End it at once, with all that it has started; a second call does nothing."""
+        """Kill the process with its children; a second call does nothing."""
         with contextlib.suppress(ProcessLookupError):
             os.killpg(self._process.pid, signal.SIGKILL)
         self._process.wait()
@@ -98,5 +101,5 @@ class StudyRun:
 
 
 def interpreter() -> str:
-    """Return the path of the Python that this FreeCAD embeds: `sys.executable` may be FreeCAD."""
+    """Return the path of FreeCAD's Python, because `sys.executable` may be FreeCAD."""
     return os.path.join(sys.base_prefix, "bin", "python{}.{}".format(*sys.version_info))

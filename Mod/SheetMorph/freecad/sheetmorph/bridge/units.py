@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lengths and angles as a person types and reads them, in whatever unit FreeCAD is set to."""
+"""Lengths and angles as the user types and reads them, in FreeCAD's current units."""
 
 from __future__ import annotations
 
@@ -10,15 +10,14 @@ import FreeCAD
 from freecad.sheetmorph.tools import words
 
 STANDARD = 0
-"""FreeCAD's scheme of units unless somebody chose another one: mm, but metres from 10 m on, and
-nanometres below a tenth of a millimetre."""
+"""FreeCAD's default unit scheme: mm, but metres from 10 m, and nanometres below 0.1 mm."""
 _TINY = ("nm", "µm")
 
 
 def number_in(text: str, unit: str, default: float = 1.0) -> float | None:
-    """Return what `text` says in a unit, mm or deg; None if nothing.
+    """Return the value of `text` in a unit, mm or deg, or None.
 
-    `default`: how many of the unit a number means that says none.
+    `default` is the factor of a number without a unit.
     """
     try:
         found = FreeCAD.Units.Quantity(text.replace(",", "."))
@@ -30,10 +29,9 @@ def number_in(text: str, unit: str, default: float = 1.0) -> float | None:
 
 
 def said(value: float, unit: str) -> tuple[str, float]:
-    """Return a length (mm) or an angle (deg) as text, and how many of `unit` the unit in it is.
+    """Return a length (mm) or an angle (deg) as text, and the factor of its unit to `unit`.
 
-    As FreeCAD shows it, but nobody who works with sheet thinks in nanometres, nor wants metres
-    where millimetres are typed.
+    The text is as in FreeCAD, but without nanometres and, in the standard scheme, without metres.
     """
     if unit == "deg":
         return f"{_decimal(value)} °", 1.0
@@ -44,7 +42,10 @@ def said(value: float, unit: str) -> tuple[str, float]:
 
 
 def _decimal(value: float) -> str:
-    """A number with the decimals of FreeCAD's settings, or three digits if those are too few."""
+    """Return a number with the decimals of FreeCAD's settings, or with three digits.
+
+    Three digits are used if the settings would hide the value.
+    """
     settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
     decimals = settings.GetInt("Decimals", 2)
     is_lost = 0.0 < abs(value) < 10.0 ** (1 - decimals) and words.plain(value) != "0"

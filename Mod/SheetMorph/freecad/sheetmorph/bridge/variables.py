@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers of a document that a study may change: of handles, form features, spreadsheet cells."""
+"""Numbers of a document that a study can vary: handles, form features, spreadsheet cells."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SHEET = "Spreadsheet::Sheet"
 
 
 class Variable(NamedTuple):
-    """A number that may change: whose it is, its property or cell, its name, and its unit."""
+    """A variable number: its owner, its property or cell, its label, and its unit."""
 
     owner: Any
     number: str
@@ -30,7 +30,7 @@ class Variable(NamedTuple):
 
 
 def variables_of(assembly) -> list[Variable]:
-    """Return what a study of an assembly may change; what an expression drives is not in it."""
+    """Return the numbers that a study can vary, without those that expressions drive."""
     found = []
     for region in model.regions(assembly):
         driven = driven_by_expressions(region)
@@ -61,7 +61,7 @@ def driven_by_expressions(region) -> set[str]:
 
 
 def sheets_of(assembly) -> list:
-    """Return the spreadsheets that drive a region of an assembly, each once."""
+    """Return the unique spreadsheets that drive a region of an assembly."""
     found = {}
     for region in model.regions(assembly):
         if region.ExpressionEngine:
@@ -71,7 +71,7 @@ def sheets_of(assembly) -> list:
 
 
 def cells_of(sheet) -> list[Variable]:
-    """Return the cells of a spreadsheet that hold a number, and no formula."""
+    """Return the cells of a spreadsheet with a number and without a formula."""
     found = []
     for cell in ET.fromstring(sheet.cells.Content).iter("Cell"):
         unit = unit_in(cell.get("content", ""))
@@ -83,7 +83,7 @@ def cells_of(sheet) -> list[Variable]:
 
 
 def unit_in(content: str) -> str | None:
-    """Return the unit of what a cell holds; None for a formula, text, or another unit."""
+    """Return the unit of a cell; None for a formula, text, or another unit."""
     try:
         found = FreeCAD.Units.Quantity(content.lstrip("="))
     except (ValueError, SyntaxError, OSError, ArithmeticError):
@@ -92,14 +92,14 @@ def unit_in(content: str) -> str | None:
 
 
 def number_of(owner, number: str) -> float:
-    """Return a number as the document has it, mm or degrees; a size of 0 is the mesh's own."""
+    """Return a number of the document, mm or degrees; a size of 0 is that of the mesh."""
     is_cell = owner.TypeId == SHEET
     found = owner.get(number) if is_cell else owner.getPropertyByName(number)
     return float(getattr(found, "Value", found))
 
 
 def set_number(owner, number: str, value: float) -> None:
-    """Give the document a number, mm or degrees; a cell keeps its kind of unit."""
+    """Set a number of the document, mm or degrees; a cell keeps its kind of unit."""
     if owner.TypeId != SHEET:
         setattr(owner, number, value)
         return
@@ -108,7 +108,7 @@ def set_number(owner, number: str, value: float) -> None:
 
 
 def path_of(name: str, number: str) -> str:
-    """Return the path in a recipe of a number of the region that is called so there."""
+    """Return the recipe path of a number of the region with this name."""
     quoted = '"' + re.sub(r'(["\\])', r"\\\1", name) + '"'
     if number in TRANSLATIONS:
         return f"pose.{quoted}.translation[{list(TRANSLATIONS).index(number)}]"
@@ -116,7 +116,7 @@ def path_of(name: str, number: str) -> str:
 
 
 def say_number(recipe: dict, name: str, variable: Variable, value: float) -> None:
-    """Let a recipe say a number of the region that is called so there, where it leaves it out."""
+    """Add a number of the region with this name to a recipe, if it is missing."""
     region, number = variable.owner, variable.number
     if number == SIZE:
         entry = next(entry for entry in recipe["features"] if entry["name"] == name)

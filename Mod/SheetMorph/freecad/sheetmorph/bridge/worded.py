@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A recipe that is written says what its regions are, where that gives their vertices again."""
+"""Selectors in written recipes, where they give the same vertices in the written files."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from freecad.sheetmorph.tools import sentences
 
 
 def worded(assembly, recipe: dict, written: Written) -> dict:
-    """Return a recipe with `where` in place of `vertices` for every region that has a sentence."""
+    """Return a recipe with `where` in place of `vertices` for regions with a valid selector."""
     morph = written.morph
     lists = {key: list(recipe.get(key, [])) for key in (*KEYS.values(), "contacts")}
     places = {entry["name"]: (key, k) for key in KEYS.values() for k, entry in named(lists[key])}
@@ -34,23 +34,22 @@ def worded(assembly, recipe: dict, written: Written) -> dict:
 
 
 def named(entries: list) -> list[tuple[int, dict]]:
-    """Return the entries that have a name, with their places."""
+    """Return the entries with a name, and their indices."""
     return [(k, entry) for k, entry in enumerate(entries) if "name" in entry]
 
 
 class Written:
-    """The parts of a recipe as selectors see them once they are written."""
+    """The written parts of a recipe as selectors see them."""
 
     def __init__(self, morph: Morph, meshes: dict, own: Container[str]):
-        """`meshes`: the parts as they were written, `written.Meshes`; `own`: names of those that
-        are in the coordinates of their files."""
+        """Store the written parts; `own` has the names of those in file coordinates."""
         self.morph, self._meshes, self._own = morph, meshes, own
         self._shapes: dict[str, Any] = {}
 
     def entry(self, entry: dict, picked: tuple) -> dict:
-        """Return an entry with its sentence in place of its ids, if that stands for just those.
+        """Return an entry with its selector in place of ids, if both give the same vertices.
 
-        `picked`: a region, or a contact with a side, and the part.
+        `picked` is a region, or a contact with a side, and the part.
         """
         owner, side, part = picked
         said = selecting.sentence_of(owner, side)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Writes parts and recipes: every file in double, all of them or none."""
+"""Output of parts and recipes in double precision; all files are written, or none."""
 
 from __future__ import annotations
 
@@ -18,12 +18,14 @@ from freecad.sheetmorph.bridge.rest import RestPart, read_kept
 
 CERTIFICATE = ("certificate.json", "certificate.html")
 Meshes = dict[str, Callable[[], Any]]
-"""By object name of a part, what makes a sheetmorph.PartMesh of it, vertices called by indices."""
+"""Object name of a part to a function that returns its sheetmorph.PartMesh with vertex indices."""
 
 
 def in_the_way(assembly, morph, place: Path) -> list[Path]:
-    """Return the files that exporting to a place would write over and that are not from an earlier
-    export; `place`: a folder, for parts and their certificate, or the file of a recipe."""
+    """Return the files that an export would overwrite and that no earlier export wrote.
+
+    `place` is a folder for parts and their certificate, or the file of a recipe.
+    """
     ledger = kernel.load().files.ledger.Ledger()
     if place.suffix.lower() == ".json":
         by, folder = "recipe", place.parent
@@ -39,7 +41,7 @@ def in_the_way(assembly, morph, place: Path) -> list[Path]:
 
 
 def part_files(assembly, morph) -> list[str]:
-    """Return the names of the files of all parts, with those that decks include."""
+    """Return the file names of all parts, including the includes of decks."""
     names, found = file_names(assembly, morph), []
     for owner, parts in writers(assembly, morph).values():
         found.append(names[parts[0].Name])
@@ -49,7 +51,7 @@ def part_files(assembly, morph) -> list[str]:
 
 
 def shape_names(assembly, morph) -> dict[str, str]:
-    """Return the names of the STEP files of deformed shapes, by object name of their part."""
+    """Return the names of the STEP files of deformed shapes by object name of the part."""
     names = file_names(assembly, morph)
     parts = [part for part in model.parts(assembly) if part.DeformedShape is not None]
     return {part.Name: f"{Path(names[part.Name]).stem}.step" for part in parts}
@@ -60,8 +62,9 @@ def write_parts(
 ) -> list[Path]:
     """Write all parts at global `positions` (n, 3) by object name; return the paths.
 
-    `place`: the folder, made if missing, and the report, None for none; `force`: over files that
-    SheetMorph did not write, too. Raises MorphError if a joint of a deck comes apart.
+    `place` has the folder, which is created if necessary, and the report or None. With `force`,
+    files that SheetMorph did not write are overwritten. Raises MorphError if a joint of a deck is
+    broken.
     """
     folder, report = place
     folder.mkdir(parents=True, exist_ok=True)
@@ -81,10 +84,10 @@ def write_parts(
 
 
 def write_files(files, assembly, morph, place: tuple) -> tuple[list[Path], list[dict], Meshes]:
-    """Write all parts and decks into a set of files; return the paths, what decks tell, and the
-    parts as written.
+    """Write all parts and decks; return the paths, the report entries of decks, and the written
+    parts.
 
-    `place`: the folder and all positions. Raises MorphError if a joint comes apart.
+    `place` has the folder and all positions. Raises MorphError if a joint is broken.
     """
     folder, positions = place
     names, paths, told = file_names(assembly, morph), [], []
@@ -103,19 +106,19 @@ def write_files(files, assembly, morph, place: tuple) -> tuple[list[Path], list[
                 raise MorphError("; ".join([*told[-1]["failures"][:5], todo]))
             written = file.write_into(files, paths[-1], whole)
             if not all(morph.rests[part.Name].frame.is_unmoved() for part in parts):
-                whole = file.stored_positions(written)  # rounded to what a field holds
+                whole = file.stored_positions(written)  # rounded to the width of a field
             meshes |= {part.Name: as_written(part, morph.rests[part.Name], whole) for part in parts}
     return paths, told, meshes
 
 
 def as_written(part, rest: RestPart, whole: np.ndarray) -> Callable[[], Any]:
-    """Return what makes a part of a deck, a sheetmorph.PartMesh, of the positions (n, 3) of all."""
+    """Return a function for the sheetmorph.PartMesh of a deck's part at positions (n, 3) of all."""
     known = {"name": part.Label, "labels": read_kept(part).labels}
     return lambda: kernel.load().PartMesh(whole[rest.rows], rest.triangles, **known)
 
 
 def writers(assembly, morph) -> dict[str, tuple]:
-    """Return by object name what writes a file, a part or a deck, and the parts that are in it."""
+    """Return by object name the object that writes a file, a part or a deck, and its parts."""
     found: dict[str, tuple] = {}
     for part in model.parts(assembly):
         owner = decks.deck_of(part, morph.rests[part.Name]) or part
@@ -126,11 +129,11 @@ def writers(assembly, morph) -> dict[str, tuple]:
 def write_recipe(
     assembly, morph, path: Path, poses: dict, *, is_placed: bool = True, force: bool = False
 ) -> Path:
-    """Write the recipe with its poses to `path`, the parts at rest beside it; return the path.
+    """Write the recipe with its poses and the parts at rest to `path`; return the path.
 
-    Regions say what they are, where that stands for their vertices in the files too. A part whose
-    source stands elsewhere than its file says keeps the coordinates of that, and has a placement,
-    if `is_placed`. `force`: over files that SheetMorph did not write, too.
+    Regions have selectors if these give their vertices in the written files too. With `is_placed`,
+    a part whose source was moved keeps the coordinates of its file and gets a placement. With
+    `force`, files that SheetMorph did not write are overwritten.
     """
     names = file_names(assembly, morph)
     owners = writers(assembly, morph).values()
@@ -164,8 +167,10 @@ def write_recipe(
 
 
 def placements(owners, morph) -> dict[str, dict]:
-    """Return the key `placement` of every part, by object name, that has the doubles of its file
-    and stands elsewhere; `owners`: from `writers`."""
+    """Return the key `placement` of moved parts with the double precision data of their files.
+
+    `owners` comes from `writers`.
+    """
     rests = {owner.Name: morph.rests[owner.Name] for owner, parts in owners if owner is parts[0]}
     return {
         name: {"placement": conversion.placement_entry(rest.frame)}
@@ -175,9 +180,9 @@ def placements(owners, morph) -> dict[str, dict]:
 
 
 def write_one(files, part, rest: RestPart, place: tuple) -> Callable[[], Any]:
-    """Write one part into a set of files; `place`: its path and all positions.
+    """Write one part; `place` has its path and all positions.
 
-    Returns what reads it as it was written, before the set commits.
+    Return a function that reads the written part before the file set commits.
     """
     path, positions = place[0], place[1][part.Name]
     package = kernel.load()
@@ -193,14 +198,14 @@ def write_one(files, part, rest: RestPart, place: tuple) -> Callable[[], Any]:
 
 
 def obj_text(points: np.ndarray, triangles: np.ndarray) -> str:
-    """Return a mesh as OBJ; `repr` gives every double the digits that bring it back exactly."""
+    """Return a mesh as OBJ; `repr` writes every double with all digits."""
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in points.tolist()]
     lines += [f"f {a} {b} {c}" for a, b, c in (triangles + 1).tolist()]
     return "\n".join(lines) + "\n"
 
 
 def file_names(assembly, morph) -> dict[str, str]:
-    """Return a file name per part by object name: its own where it was read from a file."""
+    """Return a file name per part by object name; an imported part keeps that of its file."""
     names: dict[str, str] = {}
     for owner, parts in writers(assembly, morph).values():
         from_file = morph.rests[parts[0].Name].is_from_file and owner.FileName
@@ -213,5 +218,5 @@ def file_names(assembly, morph) -> dict[str, str]:
 
 
 def plain(label: str) -> str:
-    """Return a label without what a file name must not hold."""
+    """Return a label without characters that are invalid in file names."""
     return re.sub(r'[\\/:*?"<>|\x00-\x1f]', "_", label).strip(". ") or "part"

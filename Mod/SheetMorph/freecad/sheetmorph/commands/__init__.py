@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of the workbench, their order in menu and toolbars."""
+"""The commands of the workbench and their order in menu and toolbars."""
 
 import FreeCADGui as Gui
 
@@ -60,7 +60,7 @@ _TOOLBARS = {
 
 
 def register() -> dict[str, list[str]]:
-    """Registers all commands; returns command names by title of the toolbar."""
+    """Register all commands; return their names by toolbar title."""
     for classes in _TOOLBARS.values():
         for command in classes:
             Command.registered[command.name] = command()
@@ -73,7 +73,7 @@ def register() -> dict[str, list[str]]:
 
 
 def menu() -> list[str]:
-    """Command names of the menu, in groups."""
+    """Return the command names of the menu, in groups."""
     names: list[str] = []
     for classes in _TOOLBARS.values():
         if names:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all commands share: resources, a cheap and safe IsActive, errors told to the user."""
+"""The common base of all commands: resources, a fast and safe IsActive, error reports."""
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -9,7 +9,7 @@ from freecad.sheetmorph.bridge import kernel
 
 
 class Command:
-    """A command; subclasses give the texts, ``possible`` and ``execute``."""
+    """A command; subclasses define the texts, `possible` and `execute`."""
 
     name = ""
     text = ""
@@ -20,7 +20,7 @@ class Command:
     _kernel_works: bool | None = None
 
     def GetResources(self) -> dict:
-        """Texts and icon; the icon carries the command's name."""
+        """Return texts and icon; the icon has the name of the command."""
         return {
             "Pixmap": paths.icon(self.name.split("_", 1)[1]),
             "MenuText": self.text,
@@ -31,47 +31,47 @@ class Command:
         }
 
     def IsActive(self) -> bool:
-        """Asked all the time: never raises."""
+        """Return whether the command is available; FreeCAD calls this often, so it never raises."""
         try:
             return not is_panel_open() and self.is_sensible()
         except (AttributeError, RuntimeError, ReferenceError):
             return False
 
     def is_sensible(self) -> bool:
-        """Whether the kernel and the document allow it, whatever panel is open."""
+        """Return whether kernel and document allow the command, whatever panel is open."""
         return (not self.needs_kernel or Command.kernel_works()) and bool(self.possible())
 
     @staticmethod
     def kernel_works() -> bool:
-        """Whether the kernel can be used; asked once, a restart is needed to mend it."""
+        """Return whether the kernel works; it is tested once, and a repair needs a restart."""
         if Command._kernel_works is None:
             Command._kernel_works = kernel.is_available()
         return Command._kernel_works
 
     def Activated(self, _index: int = 0) -> None:
-        """Runs the command, after the guide's panel gave way."""
+        """Run the command after closing the guide's panel."""
         from freecad.sheetmorph.panels.guide import Guide
 
         Guide.make_room(self._run)
 
     def _run(self) -> None:
-        """Reports every error, an unforeseen one, too."""
+        """Execute the command and report every error, even an unexpected one."""
         try:
             self.execute()
         except Exception as error:
             actions.tell(self.text, error)
 
     def possible(self) -> bool:
-        """Whether the command makes sense now."""
+        """Return whether the command makes sense now."""
         return App.ActiveDocument is not None
 
     def execute(self) -> None:
-        """What the command does."""
+        """Perform the command."""
         raise TypeError(f"{self.name} has nothing to execute")
 
 
 def is_panel_open() -> bool:
-    """Whether a panel is open that does not give way to others, as the guide's does."""
+    """Return whether a panel other than the guide's is open."""
     if not Gui.Control.activeDialog():
         return False
     from freecad.sheetmorph.panels.guide import Guide

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands about what makes one part follow another."""
+"""Commands about contacts between parts."""
 
 from freecad.sheetmorph import actions, subject
 from freecad.sheetmorph.actions import call, name
@@ -10,7 +10,7 @@ QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 
 
 class MarkContact(Command):
-    """Opens the panel that joins two parts."""
+    """The command that opens the panel to join two parts."""
 
     name = "SheetMorph_MarkContact"
     text = QT_TRANSLATE_NOOP("SheetMorph_MarkContact", "Mark Contact…")
@@ -21,11 +21,11 @@ class MarkContact(Command):
     )
 
     def possible(self) -> bool:
-        """With a morph of two parts or more."""
+        """Return whether there is a morph of at least two parts."""
         return subject.has(subject.PART, 2)
 
     def execute(self) -> None:
-        """Opens the panel; the contact comes into being when the user says OK."""
+        """Open the panel; OK creates the contact."""
         from freecad.sheetmorph.panels import contact_panel
 
         owner = subject.assembly()
@@ -34,7 +34,7 @@ class MarkContact(Command):
 
 
 class Propagation(Command):
-    """Opens the panel that shows how parts follow."""
+    """The command that opens the panel about propagation."""
 
     name = "SheetMorph_Propagation"
     text = QT_TRANSLATE_NOOP("SheetMorph_Propagation", "Propagation…")
@@ -44,18 +44,18 @@ class Propagation(Command):
     )
 
     def possible(self) -> bool:
-        """With a part."""
+        """Return whether there is a part."""
         return subject.has(subject.PART)
 
     def execute(self) -> None:
-        """Opens the panel."""
+        """Open the panel."""
         from freecad.sheetmorph.panels import propagation_panel
 
         propagation_panel.open_panel(subject.assembly())
 
 
 class SetPrimary(Command):
-    """Makes the selected part the primary."""
+    """The command that makes the selected part the primary."""
 
     name = "SheetMorph_SetPrimary"
     text = QT_TRANSLATE_NOOP("SheetMorph_SetPrimary", "Set as Primary")
@@ -65,13 +65,13 @@ class SetPrimary(Command):
     )
 
     def possible(self) -> bool:
-        """With one part selected that is not the primary."""
+        """Return whether one part is selected that is not the primary."""
         chosen = subject.selected(subject.PART)
         owner = subject.assembly_of(chosen[0]) if len(chosen) == 1 else None
         return owner is not None and owner.Primary != chosen[0]
 
     def execute(self) -> None:
-        """One undo step."""
+        """Set the primary in one undo step."""
         (chosen,) = subject.selected(subject.PART)
         line = call("set_primary", name(subject.assembly_of(chosen)), name(chosen))
         actions.attempt("Set as Primary", line)

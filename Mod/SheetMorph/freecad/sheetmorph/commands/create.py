@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands that create a morph and bring parts into it."""
+"""Commands that create a morph and add parts to it."""
 
 import json
 import math
@@ -29,20 +29,20 @@ NEW = call("create_assembly", DOCUMENT)
 
 
 def ensure_document() -> None:
-    """Makes a document if there is none."""
+    """Create a document if there is none."""
     if App.ActiveDocument is None:
         App.setActiveDocument(actions.new_document().Name)
 
 
 def added(function: str, *arguments: str) -> str:
-    """The line that brings a part in, as the thin solid it may be."""
+    """Return the line that adds a part, as a thin solid if that fits."""
     return call("propose_thin", call(function, *arguments))
 
 
 def ask_edge() -> float | None:
-    """Asks how long the edges of meshed CAD shapes may be, mm; 0 for automatic, None to stop.
+    """Return the user's edge length for meshing CAD shapes, mm; 0 for automatic, None to stop.
 
-    What is no length is asked for again.
+    The dialog repeats its question until the text is a valid length.
     """
     title = translate("SheetMorph_ImportPart", "Mesh CAD Shapes")
     wanted = translate("SheetMorph_ImportPart", "Longest edge (0 mm: a hundredth of the size)")
@@ -61,25 +61,27 @@ def ask_edge() -> float | None:
 
 
 def meshed(edge: float) -> dict[str, str]:
-    """The argument of an API call that meshes CAD."""
+    """Return the argument of an API call that meshes CAD shapes."""
     return {"mesh": repr({"edge": edge})} if edge else {}
 
 
 def source_lines(owner: str, edge: float) -> list[str]:
-    """The API calls that add the selected meshes and shapes to a morph."""
+    """Return the API calls that add the selected meshes and shapes to a morph."""
     chosen = subject.meshes() + subject.links()
     lines = [added("add_part", owner, name(mesh)) for mesh in chosen]
     return lines + [call("add_shape", owner, name(s), **meshed(edge)) for s in subject.shapes()]
 
 
 def import_lines(owner: str, files: list[str], edge: float) -> list[str]:
-    """The API calls that import files into a morph; of a CAD file every solid is a part, of a deck
-    every property."""
+    """Return the API calls that import files into a morph.
+
+    Every solid of a CAD file and every property of a deck becomes a part.
+    """
     return [import_line(owner, file, edge) for file in files]
 
 
 def import_line(owner: str, file: str, edge: float) -> str:
-    """The API call that imports one file."""
+    """Return the API call that imports one file."""
     if file.lower().endswith(CAD):
         return call("import_cad", owner, repr(file), **meshed(edge))
     if file.lower().removesuffix(".gz").endswith(DECKS):
@@ -88,9 +90,9 @@ def import_line(owner: str, file: str, edge: float) -> str:
 
 
 def look_at_new(before: set) -> None:
-    """Offers cures for the parts that are no objects of before, if one needs some.
+    """Offer repairs for new parts (objects not in `before`) if one needs them.
 
-    When the command is over: FreeCAD leaves its step open if it ends with a panel.
+    This happens after the command, because FreeCAD leaves its step open if it ends with a panel.
     """
     from freecad.sheetmorph.panels import prepare_panel
 
@@ -100,7 +102,7 @@ def look_at_new(before: set) -> None:
 
 
 class CreateMorph(Command):
-    """Creates a morph, with the selected meshes and shapes as its parts."""
+    """The command that creates a morph from the selected meshes and shapes."""
 
     name = "SheetMorph_CreateMorph"
     text = QT_TRANSLATE_NOOP("SheetMorph_CreateMorph", "Create Morph")
@@ -110,11 +112,11 @@ class CreateMorph(Command):
     )
 
     def possible(self) -> bool:
-        """Always: without a document one is made."""
+        """Return True, since a document is created if there is none."""
         return True
 
     def execute(self) -> None:
-        """One undo step; the first mesh selected, else the first shape, becomes the primary."""
+        """Create the morph in one undo step; the first mesh, else shape, is the primary."""
         edge = ask_edge() if subject.shapes() else 0.0
         if edge is None:
             return
@@ -129,7 +131,7 @@ class CreateMorph(Command):
 
 
 class AddPart(Command):
-    """Adds the selected meshes and shapes to a morph."""
+    """The command that adds the selected meshes and shapes to a morph."""
 
     name = "SheetMorph_AddPart"
     text = QT_TRANSLATE_NOOP("SheetMorph_AddPart", "Add Part")
@@ -139,11 +141,11 @@ class AddPart(Command):
     )
 
     def possible(self) -> bool:
-        """With a morph and a mesh or a shape selected."""
+        """Return whether there is a morph, and a mesh or shape is selected."""
         return subject.assembly() is not None and subject.may_become_parts()
 
     def execute(self) -> None:
-        """Adds all of them in one undo step."""
+        """Add all of them in one undo step."""
         shapes = subject.shapes()
         if not (shapes or subject.meshes() or subject.links()):
             raise ValueError(translate("SheetMorph_AddPart", "What is selected has no faces."))
@@ -156,7 +158,7 @@ class AddPart(Command):
 
 
 class ReplaceFile(Command):
-    """Reads another state of the file of a part."""
+    """The command that reads another version of a part's file."""
 
     name = "SheetMorph_ReplaceFile"
     text = QT_TRANSLATE_NOOP("SheetMorph_ReplaceFile", "Replace File…")
@@ -167,11 +169,11 @@ class ReplaceFile(Command):
     )
 
     def possible(self) -> bool:
-        """With a part."""
+        """Return whether there is a part."""
         return subject.part() is not None
 
     def execute(self) -> None:
-        """Asks for the file; one undo step."""
+        """Let the user choose the file, and read it in one undo step."""
         part = subject.part()
         title = translate("SheetMorph_ReplaceFile", "Replace File")
         file, _ = QtWidgets.QFileDialog.getOpenFileName(Gui.getMainWindow(), title, "", FILTER)
@@ -187,7 +189,7 @@ class ReplaceFile(Command):
 
 
 class FollowShape(Command):
-    """Lets a part follow the shape that it was made from."""
+    """The command that updates a part from its source shape."""
 
     name = "SheetMorph_FollowShape"
     text = QT_TRANSLATE_NOOP("SheetMorph_FollowShape", "Follow Shape")
@@ -198,12 +200,12 @@ class FollowShape(Command):
     )
 
     def possible(self) -> bool:
-        """With a part that was made from a shape of the document."""
+        """Return whether there is a part made from a shape of the document."""
         part = subject.part()
         return part is not None and part.ShapeSource is not None
 
     def execute(self) -> None:
-        """One undo step."""
+        """Update the part in one undo step."""
         part = subject.part()
         if attempt_bound(
             "Follow Shape", part, lambda answers: call("follow_shape", name(part), **answers)
@@ -212,8 +214,10 @@ class FollowShape(Command):
 
 
 def attempt_bound(title: str, part, line: Callable[[dict[str, str]], str]) -> bool:
-    """Runs a line that changes the shape of a part, and asks which hole or face is meant where
-    that is not certain; False if nothing has changed."""
+    """Run a line that changes the shape of a part; return False if nothing changed.
+
+    Where it is uncertain which hole or face a region refers to, the user decides.
+    """
     bindings: dict[str, list[float]] = {}
     while True:
         answers = {"bindings": repr(bindings)} if bindings else {}
@@ -236,7 +240,7 @@ def attempt_bound(title: str, part, line: Callable[[dict[str, str]], str]) -> bo
 
 
 def ask_bindings(title: str, asked: dict[str, dict]) -> dict[str, list[float]] | None:
-    """Asks for each uncertain region which hole or face it is now; None to stop."""
+    """Let the user choose the hole or face of each uncertain region; None to stop."""
     wanted = translate("SheetMorph_FollowShape", "“{0}” was {1}. Which one is it now?")
     found = {}
     for key, one in asked.items():
@@ -252,14 +256,14 @@ def ask_bindings(title: str, asked: dict[str, dict]) -> dict[str, list[float]] |
 
 
 def tell_differences(part) -> None:
-    """Tells what came out different on the new mesh of a part."""
+    """Report the differences on the new mesh of a part."""
     from freecad.sheetmorph.panels import differences
 
     differences.tell(part.Document, json.loads(part.Differences))
 
 
 class ImportPart(Command):
-    """Imports a file as a part, its positions in double precision."""
+    """The command that imports a file as a part, with positions in double precision."""
 
     name = "SheetMorph_ImportPart"
     text = QT_TRANSLATE_NOOP("SheetMorph_ImportPart", "Import Part…")
@@ -270,11 +274,14 @@ class ImportPart(Command):
     )
 
     def possible(self) -> bool:
-        """Unless it is not clear which of several morphs is meant."""
+        """Return whether the target is clear: one morph, or none in the document."""
         return subject.assembly() is not None or not subject.assemblies()
 
     def execute(self) -> None:
-        """Asks for files and imports them in one undo step, into a new morph if there is none."""
+        """Let the user choose files, and import them in one undo step.
+
+        Without a morph, it creates one.
+        """
         window = Gui.getMainWindow()
         title = translate("SheetMorph_ImportPart", "Import Part")
         files, _ = QtWidgets.QFileDialog.getOpenFileNames(window, title, "", FILTER)
@@ -289,5 +296,5 @@ class ImportPart(Command):
         before = set(App.ActiveDocument.Objects)
         if actions.attempt("Import Part", *lines):
             look_at_new(before)
-            # Later: a panel that has opened makes the view smaller.
+            # Later, because a panel that opens makes the view smaller.
             QtCore.QTimer.singleShot(0, lambda: Gui.SendMsgToActiveView("ViewFit"))

@@ -18,7 +18,7 @@ CRITERIA = ["standard", "crash", "static"]
 
 
 def open_recipe(path: str, document_name: str = "") -> bool:
-    """Opens a recipe in a new document, or in the active one; False if it could not be read."""
+    """Open a recipe in a new or the active document; return False if that fails."""
     document = None if document_name else App.ActiveDocument
     document = document or actions.new_document(document_name)
     line = call("import_recipe", DOCUMENT, repr(path))
@@ -30,7 +30,7 @@ def open_recipe(path: str, document_name: str = "") -> bool:
 
 
 def example_recipes() -> dict[str, str]:
-    """Recipe files of the examples by title, e.g. ``{"Door Mirror": ".../recipe.json"}``."""
+    """Return recipe files of the examples by title, as `{"Door Mirror": "…/recipe.json"}`."""
     folder = paths.examples()
     found = {}
     for entry in sorted(os.listdir(folder)) if os.path.isdir(folder) else []:
@@ -41,8 +41,10 @@ def example_recipes() -> dict[str, str]:
 
 
 def asked_to_write(title: str, owner, place: str) -> dict[str, str] | None:
-    """The keywords of a call that writes to a place; None if files of others stand there and the
-    user wants to keep them."""
+    """Return the keywords of a call that writes to a place.
+
+    If foreign files are in the way and the user wants to keep them, return None.
+    """
     found = api.in_the_way(owner, place)
     if not found:
         return {}
@@ -61,7 +63,7 @@ def asked_to_write(title: str, owner, place: str) -> dict[str, str] | None:
 
 
 class ExportParts(Command):
-    """Writes the deformed parts, each in the format it came in."""
+    """The command that writes the deformed parts, each in its original format."""
 
     name = "SheetMorph_ExportParts"
     text = QT_TRANSLATE_NOOP("SheetMorph_ExportParts", "Export Parts…")
@@ -72,11 +74,11 @@ class ExportParts(Command):
     alters = False
 
     def possible(self) -> bool:
-        """With a morph."""
+        """Return whether there is a morph."""
         return subject.assembly() is not None
 
     def execute(self) -> None:
-        """Asks for a folder and writes."""
+        """Let the user choose a folder, and write the parts."""
         owner = subject.assembly()
         window = Gui.getMainWindow()
         title = translate("SheetMorph_ExportParts", "Export Parts")
@@ -89,7 +91,7 @@ class ExportParts(Command):
 
 
 class Certify(Command):
-    """Writes the deformed parts and certifies what was written."""
+    """The command that writes the deformed parts and certifies the files."""
 
     name = "SheetMorph_Certify"
     text = QT_TRANSLATE_NOOP("SheetMorph_Certify", "Certificate…")
@@ -100,11 +102,11 @@ class Certify(Command):
     alters = False
 
     def possible(self) -> bool:
-        """With a morph."""
+        """Return whether there is a morph."""
         return subject.assembly() is not None
 
     def execute(self) -> None:
-        """Asks for criteria and a folder, writes, and shows what holds."""
+        """Let the user choose criteria and a folder, write, and show the certificate."""
         from freecad.sheetmorph.panels import certificate_dialog
 
         owner, window = subject.assembly(), Gui.getMainWindow()
@@ -125,7 +127,7 @@ class Certify(Command):
 
 
 class ExportRecipe(Command):
-    """Writes the morph as a recipe."""
+    """The command that writes the morph as a recipe."""
 
     name = "SheetMorph_ExportRecipe"
     text = QT_TRANSLATE_NOOP("SheetMorph_ExportRecipe", "Export Recipe…")
@@ -135,11 +137,11 @@ class ExportRecipe(Command):
     alters = False
 
     def possible(self) -> bool:
-        """With a morph."""
+        """Return whether there is a morph."""
         return subject.assembly() is not None
 
     def execute(self) -> None:
-        """Asks for a file and writes."""
+        """Let the user choose a file, and write the recipe."""
         window = Gui.getMainWindow()
         title = translate("SheetMorph_ExportRecipe", "Export Recipe")
         path, _ = QtWidgets.QFileDialog.getSaveFileName(window, title, "recipe.json", RECIPES)
@@ -150,7 +152,7 @@ class ExportRecipe(Command):
 
 
 class ImportRecipe(Command):
-    """Reads a morph from a recipe."""
+    """The command that reads a morph from a recipe."""
 
     name = "SheetMorph_ImportRecipe"
     text = QT_TRANSLATE_NOOP("SheetMorph_ImportRecipe", "Import Recipe…")
@@ -159,11 +161,11 @@ class ImportRecipe(Command):
     )
 
     def possible(self) -> bool:
-        """Always: without a document one is made."""
+        """Return True, since a document is created if there is none."""
         return True
 
     def execute(self) -> None:
-        """Asks for a file and reads it."""
+        """Let the user choose a file, and read it."""
         window = Gui.getMainWindow()
         title = translate("SheetMorph_ImportRecipe", "Import Recipe")
         path, _ = QtWidgets.QFileDialog.getOpenFileName(window, title, "", RECIPES)
@@ -172,7 +174,7 @@ class ImportRecipe(Command):
 
 
 class OpenExample(Command):
-    """Opens one of the examples, with its regions already marked."""
+    """The command that opens an example with marked regions."""
 
     name = "SheetMorph_OpenExample"
     text = QT_TRANSLATE_NOOP("SheetMorph_OpenExample", "Open Example…")
@@ -182,11 +184,11 @@ class OpenExample(Command):
     )
 
     def possible(self) -> bool:
-        """Always; a missing example is told when asked for."""
+        """Return True; `execute` reports a missing example."""
         return True
 
     def execute(self) -> None:
-        """Asks which one, then opens it in a new document."""
+        """Let the user choose an example, and open it in a new document."""
         recipes = example_recipes()
         if not recipes:
             raise RuntimeError(

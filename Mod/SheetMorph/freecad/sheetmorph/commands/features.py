@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands about form features: what they may do, and what they keep between them."""
+"""Commands about form features: their settings and the relations between them."""
 
 from freecad.sheetmorph import actions, subject
 from freecad.sheetmorph.actions import call, name
@@ -10,12 +10,12 @@ QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 
 
 def chosen_features() -> list:
-    """The form features that are selected."""
+    """Return the selected form features."""
     return [region for region in subject.selected(subject.REGION) if region.Role == "form feature"]
 
 
 class FeatureSettings(Command):
-    """Opens the panel of a form feature."""
+    """The command that opens the panel of a form feature."""
 
     name = "SheetMorph_FeatureSettings"
     text = QT_TRANSLATE_NOOP("SheetMorph_FeatureSettings", "Form Feature Settings…")
@@ -25,28 +25,28 @@ class FeatureSettings(Command):
     )
 
     def possible(self) -> bool:
-        """With one form feature selected."""
+        """Return whether one form feature is selected."""
         return len(chosen_features()) == 1
 
     def execute(self) -> None:
-        """Opens the panel."""
+        """Open the panel."""
         from freecad.sheetmorph.panels import feature_panel
 
         feature_panel.open_panel(chosen_features()[0])
 
 
 class _Relate(Command):
-    """Relates the form features that are selected."""
+    """The base of commands that relate the selected form features."""
 
     function = ""
     most = 2
 
     def possible(self) -> bool:
-        """With two form features selected, or more where that makes sense."""
+        """Return whether two form features are selected, or more for a group."""
         return 2 <= len(chosen_features()) <= self.most
 
     def execute(self) -> None:
-        """One undo step."""
+        """Create the relation in one undo step."""
         features = chosen_features()
         members = ", ".join(name(feature) for feature in features)
         if self.function == "group":
@@ -56,7 +56,7 @@ class _Relate(Command):
 
 
 class GroupFeatures(_Relate):
-    """Makes form features one rigid body."""
+    """The command that joins form features to one rigid body."""
 
     name = "SheetMorph_GroupFeatures"
     function = "group"
@@ -68,7 +68,7 @@ class GroupFeatures(_Relate):
 
 
 class MakeCoaxial(_Relate):
-    """Lets two form features keep their axis."""
+    """The command that preserves the common axis of two form features."""
 
     name = "SheetMorph_MakeCoaxial"
     function = "coaxial"
@@ -80,7 +80,7 @@ class MakeCoaxial(_Relate):
 
 
 class KeepDistance(_Relate):
-    """Lets two form features keep their distance."""
+    """The command that preserves the distance of two form features."""
 
     name = "SheetMorph_KeepDistance"
     function = "keep_distance"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands that propose what would be marked by hand otherwise."""
+"""Commands that propose features and contacts."""
 
 from freecad.sheetmorph import subject
 from freecad.sheetmorph.commands.base import Command
@@ -9,7 +9,7 @@ QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 
 
 class FindFeatures(Command):
-    """Opens the list of the features found."""
+    """The command that lists the features found."""
 
     name = "SheetMorph_FindFeatures"
     text = QT_TRANSLATE_NOOP("SheetMorph_FindFeatures", "Find Features…")
@@ -19,18 +19,18 @@ class FindFeatures(Command):
     )
 
     def possible(self) -> bool:
-        """With a part."""
+        """Return whether there is a part."""
         return subject.has(subject.PART)
 
     def execute(self) -> None:
-        """Opens the panel; the document changes when the user says OK."""
+        """Open the panel; OK changes the document."""
         from freecad.sheetmorph.panels import find_panel
 
         find_panel.open_features(subject.assembly(), subject.chosen_parts())
 
 
 class FindContacts(Command):
-    """Opens the list of the contacts found."""
+    """The command that lists the contacts found."""
 
     name = "SheetMorph_FindContacts"
     text = QT_TRANSLATE_NOOP("SheetMorph_FindContacts", "Find Contacts…")
@@ -40,11 +40,11 @@ class FindContacts(Command):
     )
 
     def possible(self) -> bool:
-        """With a morph of two parts or more."""
+        """Return whether there is a morph of at least two parts."""
         return subject.has(subject.PART, 2)
 
     def execute(self) -> None:
-        """Opens the panel; the document changes when the user says OK."""
+        """Open the panel; OK changes the document."""
         from freecad.sheetmorph.panels import find_panel
 
         find_panel.open_contacts(subject.assembly(), subject.chosen_parts())

@@ -8,7 +8,7 @@ QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 
 
 class OpenGuide(Command):
-    """Opens the guide."""
+    """The command that opens the guide."""
 
     name = "SheetMorph_Guide"
     text = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Guide")
@@ -19,11 +19,11 @@ class OpenGuide(Command):
     alters = False
 
     def possible(self) -> bool:
-        """Always: it begins with an empty window."""
+        """Return True, since the guide starts without a document."""
         return True
 
     def execute(self) -> None:
-        """Opens the panel."""
+        """Open the panel."""
         from freecad.sheetmorph.panels.guide import Guide
 
         Guide.open(Command.registered)

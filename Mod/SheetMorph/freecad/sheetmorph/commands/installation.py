@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Check Installation: what works, what does not, and what to do, as text to copy."""
+"""The command for a report about the installation, and a warning without a kernel."""
 
 import FreeCAD as App
 
@@ -11,7 +11,7 @@ QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 
 
 class CheckInstallation(Command):
-    """Shows the report about the kernel."""
+    """The command that shows the report about the kernel."""
 
     name = "SheetMorph_CheckInstallation"
     text = QT_TRANSLATE_NOOP("SheetMorph_CheckInstallation", "Check Installation")
@@ -23,18 +23,18 @@ class CheckInstallation(Command):
     needs_kernel = False
 
     def possible(self) -> bool:
-        """Always: it helps when nothing else works."""
+        """Return True, since the report helps when nothing else works."""
         return True
 
     def execute(self) -> None:
-        """Opens the report."""
+        """Open the report."""
         from freecad.sheetmorph.panels import report_dialog
 
         report_dialog.show()
 
 
 def warn_once(workbench) -> None:
-    """Says on the first activation, in one sentence, if the kernel cannot be used."""
+    """Warn on the first activation if the kernel cannot be used."""
     try:
         kernel.load()
     except kernel.KernelError as error:

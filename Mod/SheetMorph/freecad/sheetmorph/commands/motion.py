@@ -10,7 +10,7 @@ QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 
 
 class MoveHandle(Command):
-    """Opens the panel with the handle's translation and rotation."""
+    """The command that opens the panel with a handle's translation and rotation."""
 
     name = "SheetMorph_MoveHandle"
     text = QT_TRANSLATE_NOOP("SheetMorph_MoveHandle", "Move Handle…")
@@ -20,18 +20,18 @@ class MoveHandle(Command):
     )
 
     def possible(self) -> bool:
-        """With a handle."""
+        """Return whether there is a handle."""
         return subject.handle() is not None
 
     def execute(self) -> None:
-        """Opens the panel."""
+        """Open the panel."""
         from freecad.sheetmorph.panels import move_panel
 
         move_panel.open_panel(subject.handle())
 
 
 class ResetMotion(Command):
-    """Puts handles back to rest."""
+    """The command that returns handles to rest."""
 
     name = "SheetMorph_ResetMotion"
     text = QT_TRANSLATE_NOOP("SheetMorph_ResetMotion", "Reset Motion")
@@ -41,11 +41,11 @@ class ResetMotion(Command):
     )
 
     def possible(self) -> bool:
-        """With a handle."""
+        """Return whether there is a handle."""
         return subject.handle() is not None
 
     def execute(self) -> None:
-        """One undo step for all of them."""
+        """Reset all handles in one undo step."""
         chosen = [r for r in subject.selected(subject.REGION) if r.Role == "handle"]
         handles = chosen or subject.regions(subject.assembly(), "handle")
         actions.attempt("Reset Motion", *[call("reset_motion", name(h)) for h in handles])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands that keep poses, blend them and take them out as ordinary meshes."""
+"""Commands that save poses, blend them and copy them as ordinary meshes."""
 
 import FreeCADGui as Gui
 
@@ -12,7 +12,7 @@ QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 
 
 class SavePose(Command):
-    """Keeps the present motions under a name."""
+    """The command that saves the present motions under a name."""
 
     name = "SheetMorph_SavePose"
     text = QT_TRANSLATE_NOOP("SheetMorph_SavePose", "Save Pose…")
@@ -21,11 +21,11 @@ class SavePose(Command):
     )
 
     def possible(self) -> bool:
-        """With a handle."""
+        """Return whether there is a handle."""
         return subject.handle() is not None
 
     def execute(self) -> None:
-        """Asks for a name; one undo step."""
+        """Let the user enter a name, and save the pose in one undo step."""
         owner = subject.assembly()
         number = len(subject.poses(owner)) + 1
         label, is_given = QtWidgets.QInputDialog.getText(
@@ -41,7 +41,7 @@ class SavePose(Command):
 
 
 class BlendPoses(Command):
-    """Opens the panel that goes from one pose to another."""
+    """The command that opens the panel to blend two poses."""
 
     name = "SheetMorph_BlendPoses"
     text = QT_TRANSLATE_NOOP("SheetMorph_BlendPoses", "Blend Poses…")
@@ -50,11 +50,11 @@ class BlendPoses(Command):
     )
 
     def possible(self) -> bool:
-        """With a pose."""
+        """Return whether there is a pose."""
         return subject.has(subject.POSE)
 
     def execute(self) -> None:
-        """Opens the panel at the selected pose, else at the last one."""
+        """Open the panel with the selected pose, else with the last one."""
         from freecad.sheetmorph.panels import pose_panel
 
         owner = subject.assembly()
@@ -63,7 +63,7 @@ class BlendPoses(Command):
 
 
 class CopyInPose(Command):
-    """Copies a morph and puts the copy into a pose."""
+    """The command that copies a morph and applies a pose to the copy."""
 
     name = "SheetMorph_CopyInPose"
     text = QT_TRANSLATE_NOOP("SheetMorph_CopyInPose", "Copy in Pose")
@@ -73,18 +73,18 @@ class CopyInPose(Command):
     )
 
     def possible(self) -> bool:
-        """With one pose selected."""
+        """Return whether one pose is selected."""
         return len(subject.selected(subject.POSE)) == 1
 
     def execute(self) -> None:
-        """One undo step."""
+        """Copy the morph in one undo step."""
         (chosen,) = subject.selected(subject.POSE)
         line = call("copy_in_pose", name(chosen))
         actions.attempt("Copy in Pose", line, document=chosen.Document)
 
 
 class CopyAsMeshes(Command):
-    """Takes the deformed parts out as ordinary meshes."""
+    """The command that copies the deformed parts as ordinary meshes."""
 
     name = "SheetMorph_CopyAsMeshes"
     text = QT_TRANSLATE_NOOP("SheetMorph_CopyAsMeshes", "Copy as Meshes")
@@ -94,11 +94,11 @@ class CopyAsMeshes(Command):
     )
 
     def possible(self) -> bool:
-        """With a part."""
+        """Return whether there is a part."""
         return subject.part() is not None
 
     def execute(self) -> None:
-        """One undo step."""
+        """Copy the parts in one undo step."""
         owner, chosen = subject.assembly(), subject.selected(subject.POSE)
         poses = [name(chosen[0])] if chosen else []
         line = call("copy_as_meshes", name(owner), *poses)

@@ -9,23 +9,23 @@ QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 
 
 class _Mark(Command):
-    """Opens the picking panel for one role."""
+    """The base of commands that open the picking panel for one role."""
 
     role = ""
 
     def possible(self) -> bool:
-        """With a part to pick on."""
+        """Return whether there is a part."""
         return subject.part() is not None
 
     def execute(self) -> None:
-        """Opens the panel; the region comes into being when the user says OK."""
+        """Open the panel; OK creates the region."""
         from freecad.sheetmorph.panels import region_panel
 
         region_panel.create(subject.part(), self.role)
 
 
 class MarkFixed(_Mark):
-    """Marks what does not move."""
+    """The command that marks a fixed region."""
 
     name = "SheetMorph_MarkFixed"
     role = "fixed"
@@ -36,7 +36,7 @@ class MarkFixed(_Mark):
 
 
 class MarkHandle(_Mark):
-    """Marks what the user moves."""
+    """The command that marks a handle."""
 
     name = "SheetMorph_MarkHandle"
     role = "handle"
@@ -48,7 +48,7 @@ class MarkHandle(_Mark):
 
 
 class MarkFeature(_Mark):
-    """Marks what keeps its shape."""
+    """The command that marks form features."""
 
     name = "SheetMorph_MarkFeature"
     role = "form feature"
@@ -60,7 +60,7 @@ class MarkFeature(_Mark):
 
 
 class MarkFollower(_Mark):
-    """Marks what goes with the control meshes of the part's contacts."""
+    """The command that marks a follower, which moves with the control meshes of contacts."""
 
     name = "SheetMorph_MarkFollower"
     role = "follower"

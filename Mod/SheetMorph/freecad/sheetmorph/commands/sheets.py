@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands about the sheet a part is made of."""
+"""Commands about the sheet of a part."""
 
 from freecad.sheetmorph import actions, subject
 from freecad.sheetmorph.actions import call, name
@@ -10,7 +10,7 @@ QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 
 
 class ThicknessMap(Command):
-    """Opens the panel that shows the thickness."""
+    """The command that opens the panel about thickness."""
 
     name = "SheetMorph_ThicknessMap"
     text = QT_TRANSLATE_NOOP("SheetMorph_ThicknessMap", "Thickness…")
@@ -20,18 +20,18 @@ class ThicknessMap(Command):
     )
 
     def possible(self) -> bool:
-        """With a part."""
+        """Return whether there is a part."""
         return subject.part() is not None
 
     def execute(self) -> None:
-        """Opens the panel."""
+        """Open the panel."""
         from freecad.sheetmorph.panels import thickness_panel
 
         thickness_panel.open_panel(subject.part())
 
 
 class Flatten(Command):
-    """Lays a part flat, as a sketch."""
+    """The command that creates sketches of a part's flat blank."""
 
     name = "SheetMorph_Flatten"
     text = QT_TRANSLATE_NOOP("SheetMorph_Flatten", "Flatten")
@@ -42,11 +42,11 @@ class Flatten(Command):
     )
 
     def possible(self) -> bool:
-        """With a part."""
+        """Return whether there is a part."""
         return subject.part() is not None
 
     def execute(self) -> None:
-        """One undo step."""
+        """Create the sketches in one undo step."""
         part = subject.part()
         actions.attempt(
             "Flatten", call("flatten", name(part), at_rest=True), document=part.Document
@@ -54,7 +54,7 @@ class Flatten(Command):
 
 
 class DeformedShape(Command):
-    """Makes the shape of a part where the part is now."""
+    """The command that creates a part's shape in its deformed state."""
 
     name = "SheetMorph_DeformedShape"
     text = QT_TRANSLATE_NOOP("SheetMorph_DeformedShape", "Deformed Shape")
@@ -64,17 +64,17 @@ class DeformedShape(Command):
     )
 
     def possible(self) -> bool:
-        """With a part that was made from a shape."""
+        """Return whether there is a part made from a shape."""
         part = subject.part()
         return part is not None and bool(part.ShapeData)
 
     def execute(self) -> None:
-        """One undo step."""
+        """Create the shape in one undo step."""
         actions.attempt("Deformed Shape", call("deformed_shape", name(subject.part())))
 
 
 class PrepareMesh(Command):
-    """Opens the panel that cures a mesh and meshes it anew."""
+    """The command that opens the panel to repair and remesh a part."""
 
     name = "SheetMorph_PrepareMesh"
     text = QT_TRANSLATE_NOOP("SheetMorph_PrepareMesh", "Prepare Mesh…")
@@ -84,11 +84,11 @@ class PrepareMesh(Command):
     )
 
     def possible(self) -> bool:
-        """With a part."""
+        """Return whether there is a part."""
         return subject.part() is not None
 
     def execute(self) -> None:
-        """Opens the panel; the document changes when the user says OK."""
+        """Open the panel; OK changes the document."""
         from freecad.sheetmorph.panels import prepare_panel
 
         prepare_panel.open_panel(subject.part())

@@ -9,7 +9,7 @@ QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 
 
 class Study(Command):
-    """Opens the panel of a study."""
+    """The command that opens the panel of a study."""
 
     name = "SheetMorph_Study"
     text = QT_TRANSLATE_NOOP("SheetMorph_Study", "Study…")
@@ -19,11 +19,11 @@ class Study(Command):
     )
 
     def possible(self) -> bool:
-        """With a handle."""
+        """Return whether there is a handle."""
         return subject.handle() is not None
 
     def execute(self) -> None:
-        """Opens the panel of the selected study, else of a new one."""
+        """Open the panel of the selected study, else of a new one."""
         from freecad.sheetmorph.panels import study_panel
 
         chosen = subject.selected(subject.STUDY)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What an open panel needs of the program: one session that ends in one way and leaves nothing.
+"""The editing session of an open panel, which ends in one way and leaves no traces.
 
-Transactions, document observers, the 3D view and what is shown in it are handled here alone.
+Only this package handles transactions, document observers and the choice of the 3D view.
 """

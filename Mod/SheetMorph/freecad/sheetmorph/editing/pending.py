@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pose that a document has while a panel is open: seen everywhere, kept only by OK.
+"""The pose of a document while a panel is open: visible everywhere, stored only by OK.
 
-It stands in an undo step of its document alone, the way back from it in a snapshot: FreeCAD commits
-the step as soon as somebody else opens one, and undoes all of it at once. After an undo of a part
-of it, it is parked in two steps of the document: what is left, and what a redo brings back.
+The changes are in an undo step of this document alone; a snapshot has the pose before them. FreeCAD
+commits the step as soon as another one opens, and undoes a step only as a whole. After an undo of
+some of the changes, they are parked in two steps of the document: one with the changes that remain,
+and one that a redo restores.
 
-An exception on the way leaves neither an open step nor a pending pose to the next panel: after
-`take_back` the document has the pose of the beginning, even if a write failed before or in it.
+An exception leaves neither an open step nor a pending pose to the next panel. After `take_back` the
+document has the initial pose, even if a write failed before or during it.
 """
 
 from __future__ import annotations
@@ -20,10 +21,13 @@ from freecad.sheetmorph.editing import transactions
 
 
 class Pending:
-    """Changes that are neither kept nor taken back yet."""
+    """Changes that are neither stored nor undone yet."""
 
     def __init__(self, document, title: str, read: Callable, write: Callable):
-        """`title`: of the undo step; `read()` a snapshot, `write(snapshot)` where it differs."""
+        """Start without changes; `title` is that of the undo step.
+
+        `read()` returns a snapshot. `write(snapshot)` writes the values that differ.
+        """
         self._document, self._title = document, title
         self._read, self._write = read, write
         self._is_open = self._is_undone = self._lost_something = self._has_failed = False
@@ -38,11 +42,11 @@ class Pending:
 
     @property
     def is_open(self) -> bool:
-        """Whether anything may be pending."""
+        """Whether changes may be pending."""
         return self._is_open
 
     def change(self) -> None:
-        """Make sure that what changes next can be taken back; call it before every change."""
+        """Prepare for a change; call it before every change, so that it can be undone."""
         with self._noticed():
             if self._parked is not None:
                 self._gather()
@@ -50,34 +54,34 @@ class Pending:
                 self._open()
 
     def gather(self) -> None:
-        """Make one open step of what is parked, before it is kept."""
+        """Combine parked changes in one open step before they are stored."""
         if self._parked is not None and self._parked.place > 0:
             with self._noticed():
                 self._gather()
 
     def remember_made(self, name: str, make: Callable) -> None:
-        """An object was made on the way; `make()` makes it anew when an undo has taken it."""
+        """Register a new object; `make()` creates it again after an undo."""
         self._made[name] = make
 
     def forget_made(self, name: str) -> None:
-        """What was made is not wanted any more."""
+        """Remove an object from the register."""
         self._made.pop(name, None)
 
     def settle(self) -> None:
-        """Count the present pose as a step that an undo comes back to."""
+        """Count the present pose as a step to which an undo returns."""
         now = self._read()
         if self._is_open and now != self._steps[-1]:
             self._steps.append(now)
 
     def keep(self) -> None:
-        """Make what is pending one undo step; the next one begins from here."""
+        """Store the pending changes as one undo step and start afresh."""
         self.gather()
         self._close(transactions.keep)
         self._made = {}
         self._begin()
 
     def take_back(self) -> None:
-        """Give the document the pose of the beginning; what others did meanwhile stays."""
+        """Restore the initial pose of the document; changes by others stay."""
         try:
             with self._noticed():
                 self._go_to_beginning()
@@ -97,20 +101,20 @@ class Pending:
             self._show_again(shown)
 
     def _restore(self) -> None:
-        """After a failure: no step stays open, and no pose that is not kept."""
+        """Close any open step after a failure and restore the initial pose."""
         self._parked = None
         self._close(transactions.take_back)
         self._has_failed = False
         if self._read() == self._steps[0]:
             return
         transactions.begin(self._document, self._title)
-        with suppress(Exception):  # a part of it is better than nothing
+        with suppress(Exception):  # a partial restoration is better than none
             self._write(self._steps[0])
         transactions.keep()
 
     @contextmanager
     def _noticed(self) -> Iterator[None]:
-        """After a failure in this context, `take_back` restores the pose of the beginning."""
+        """Let `take_back` restore the initial pose after a failure in this context."""
         try:
             yield
         except BaseException:
@@ -118,14 +122,14 @@ class Pending:
             raise
 
     def _show_again(self, shown: dict[str, bool]) -> None:
-        """What was hidden or shown meanwhile stays so: that is no change of the morph."""
+        """Restore the visibility set meanwhile, which is not part of the morph."""
         for obj in self._document.Objects:
             if obj.Visibility != shown.get(obj.Name, obj.Visibility):
                 obj.Visibility = shown[obj.Name]
 
     @contextmanager
     def aside(self) -> Iterator[None]:
-        """In this context a step of its own may be done; what is pending comes back after it."""
+        """Allow another undo step in this context; the pending changes return after it."""
         is_pending = self._is_open or (self._parked is not None and self._parked.place > 0)
         wanted = self._read() if is_pending else None
         self.take_back()
@@ -137,11 +141,11 @@ class Pending:
                     self._take(wanted)
 
     def abandon(self) -> None:
-        """The document is gone, and the step with it."""
+        """Discard the state because the document and its step no longer exist."""
         self._is_open = False
 
     def _open(self) -> None:
-        self._is_open, self._number = True, 0  # the step that is open, if it fails half-way
+        self._is_open, self._number = True, 0  # 0 is the open step, in case of a failure half-way
         self._number = transactions.begin_alone(self._document, self._title)
 
     def _close(self, way) -> None:
@@ -149,17 +153,17 @@ class Pending:
             self._is_open = False
             way(self._number)
 
-    # -- what others do to the document
+    # -- changes of the document by others
 
     def on_deletion(self) -> None:
-        """Something that is not ours was deleted within our step."""
+        """Note that an object of somebody else was deleted within the step."""
         is_pending = self._is_open or self._parked is not None
         self._lost_something = self._lost_something or is_pending
 
     def on_close(self, is_abort: bool) -> bool:
-        """A step is closed; returns whether it was ours and somebody else did it.
+        """Handle a closed step; return whether somebody else closed the pending one.
 
-        Nothing half done is committed by others: the document gets its beginning before.
+        The document first returns to its initial pose, so that nothing half done is committed.
         """
         if not self._is_open:
             return False
@@ -170,14 +174,14 @@ class Pending:
         return True
 
     def _leave_to(self, is_abort: bool) -> None:
-        """Somebody else takes our step back, or commits it: then without what is pending."""
+        """Remove the pending changes before somebody else commits the step."""
         if not is_abort:
             for name in [name for name in self._made if self._document.getObject(name)]:
                 self._document.removeObject(name)
             self._write(self._steps[0])
 
     def on_undo(self) -> bool:
-        """A step was undone; returns whether it was what was pending, or a part of it."""
+        """Return whether an undo concerned the pending changes or some of them."""
         parked = self._parked
         is_parked = parked is not None and parked.place > 0 and parked.is_undone(self._document)
         is_mine = not self._is_undone and (self._interrupted is not None or is_parked)
@@ -185,19 +189,19 @@ class Pending:
         return is_mine
 
     def resume(self) -> bool:
-        """Go on after that; returns whether there was anything."""
+        """Continue after an interruption; return whether there was one."""
         with self._noticed():
             if self._is_undone:
                 self._go_back()
             elif self._interrupted is not None:
-                transactions.keep()  # what the other left open
+                transactions.keep()  # the step that the other program part left open
                 self._take(self._uninterrupted())
             else:
                 return False
         return True
 
     def _go_back(self) -> None:
-        """The pose of the step before the last one; a redo goes on from it."""
+        """Show the pose of the step before the last one, to which a redo adds the next."""
         self._is_undone = False
         if self._parked is not None:
             self._park(self._parked.place - 1)
@@ -213,11 +217,11 @@ class Pending:
 
     @property
     def can_go_forward(self) -> bool:
-        """Whether the redo that was just done is one of what was pending."""
+        """Whether the last redo restored pending changes."""
         return self._parked is not None and self._parked.is_redone(self._document)
 
     def go_forward(self) -> None:
-        """After that redo: what it brought back is pending again, not a step of its own."""
+        """Make the changes of the last redo pending again, instead of a separate step."""
         parked = self._parked
         with self._noticed():
             self._document.undo()
@@ -229,12 +233,12 @@ class Pending:
                 self._parked = None
                 self._take(self._steps[-1])
 
-    # -- parked: what an undo has left is a step of the document, a redo away from what it took
+    # -- parked changes: the document is one undo and one redo away from the neighbouring poses
 
     def _park(self, place: int) -> None:
-        """From the pose of the beginning: show a step, let a redo of the program lead to the next.
+        """Show a step from the initial pose, and let a redo of the program lead to the next one.
 
-        A document keeps a number of steps only: there are never more than two of these.
+        A document stores a limited number of steps, so that parking uses at most two.
         """
         self._parked = None
         if place < 0:
@@ -250,11 +254,11 @@ class Pending:
         self._close(transactions.keep)
 
     def _unpark(self) -> None:
-        """Give the document the pose of the beginning; no redo leads away from it."""
+        """Restore the initial pose of the document and discard the redo steps."""
         parked, self._parked = self._parked, None
         self._steps = self._steps[: parked.place + 1]
         if not parked.is_untouched(self._document):
-            self._lost_something = True  # a step of somebody else is on top of ours
+            self._lost_something = True  # somebody else's step is on top of the parked ones
             self._open()
             return
         if parked.place > 0:
@@ -278,20 +282,20 @@ class Pending:
 
 @dataclass(frozen=True)
 class _Parked:
-    """Which step is shown, and how many steps the document could undo and redo then."""
+    """The number of the displayed step, and the document's undo and redo counts at that time."""
 
     place: int
     undos: int
     redos: int
 
     def is_untouched(self, document) -> bool:
-        """Whether nobody has done anything since."""
+        """Return whether no step was added, undone or redone since."""
         return (document.UndoCount, document.RedoCount) == (self.undos, self.redos)
 
     def is_undone(self, document) -> bool:
-        """Whether an undo has taken our step."""
+        """Return whether an undo removed the parked step."""
         return (document.UndoCount, document.RedoCount) == (self.undos - 1, self.redos + 1)
 
     def is_redone(self, document) -> bool:
-        """Whether a redo has brought our step back."""
+        """Return whether a redo restored the parked step."""
         return (document.UndoCount, document.RedoCount) == (self.undos + 1, self.redos - 1)

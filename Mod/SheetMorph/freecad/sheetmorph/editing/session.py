@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The editing session: what an open panel has of the program, and gives back in one way.
+"""The editing session, which owns the resources of an open panel and releases them together.
 
-OK, Cancel, Esc, closeDialog(), a document that is closed, an undo beyond the beginning, a deletion
-of what the panel is about: all of them come to `end`, and `end` comes once.
+OK, Cancel, Esc, closeDialog(), a closed document, an undo past the start and the deletion of a
+needed object all call `end`, which acts only once.
 """
 
 from contextlib import ExitStack, contextmanager, nullcontext
@@ -16,14 +16,14 @@ from freecad.sheetmorph.editing.watch import Watch
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
 
-BUSY = 20  # ms between two looks whether FreeCAD is still at it
-LOOK = 50  # ms after which the widgets of a window that was closed are gone
+BUSY = 20  # ms between two checks whether FreeCAD is busy
+LOOK = 50  # ms after which the widgets of a closed window are gone
 
 
 class Session(QtCore.QObject):
-    """What an open panel owns, until ``end``.
+    """The resources of an open panel until `end`.
 
-    ``over`` is sent when it has ended, ``ending`` when that is certain but not done yet.
+    The signal `ending` announces the end; `over` follows when everything is released.
     """
 
     over = QtCore.Signal()
@@ -36,23 +36,23 @@ class Session(QtCore.QObject):
         self._aside = []
 
     def at_end(self, function) -> None:
-        """Calls a function when the session ends; the last one given comes first."""
+        """Register a function to call at the end; the last one registered is called first."""
         self._stack.callback(function)
 
     def show(self, drawing):
-        """Owns a drawing, or a tool, with ``remove()``; returns it."""
+        """Own a drawing or tool with a `remove()` method, and return it."""
         self.at_end(drawing.remove)
         return drawing
 
     def put_selection_aside(self) -> None:
-        """Takes the colour of the selection out of the view until the end."""
+        """Clear the selection, so that its colour hides nothing, until the end."""
         self._aside = [(obj.Document.Name, obj.Name) for obj in Gui.Selection.getSelection()]
-        if self._aside:  # else a line of the macro for nothing
+        if self._aside:  # avoids an unnecessary line in the macro
             Gui.Selection.clearSelection()
         self.over.connect(self._select_again)
 
     def end(self) -> None:
-        """Takes back what is pending and everything that was shown; a second call does nothing."""
+        """Undo pending changes and remove all drawings; a second call does nothing."""
         if self.is_over:
             return
         self._announce()
@@ -63,13 +63,13 @@ class Session(QtCore.QObject):
             self.over.emit()
 
     def end_soon(self, *_) -> None:
-        """Ends when FreeCAD has done what it is doing: from where it tells of changes."""
+        """End once FreeCAD has finished; for use in observers of changes."""
         if not self.is_ending:
             self._announce()
             self.later(self.end)
 
     def later(self, action) -> None:
-        """Calls a function when the event loop is free and nothing is under way."""
+        """Call a function when the event loop is free and no command is running."""
 
         def act() -> None:
             if self.is_busy():
@@ -80,14 +80,14 @@ class Session(QtCore.QObject):
         QtCore.QTimer.singleShot(0, act)
 
     def when_free(self, action) -> None:
-        """Calls a function so later, unless the session ends before: what timers of panels do."""
+        """Call a function later, unless the session ends first; for timers of panels."""
         self.later(lambda: None if self.is_ending else action())
 
     def is_busy(self) -> bool:
-        """Whether something is under way that handles events in between: FreeCAD asks a question
-        in the midst of a command, whose undo step must not be taken for one of ours.
+        """Return whether a command is running, even if it waits for a dialog.
 
-        When the question is gone the rest of the command, and its step, are yet to come.
+        After the dialog, the rest of the command and its undo step are still to come. That step
+        must not be mistaken for one of the session.
         """
         is_within = QtCore.QThread.currentThread().loopLevel() > 1
         is_asked = QtWidgets.QApplication.activeModalWidget() is not None
@@ -105,17 +105,18 @@ class Session(QtCore.QObject):
 
 
 class EditingSession(Session):
-    """On one document, its undo steps and one of its 3D views.
+    """A session on one document, with its undo steps and one of its 3D views.
 
-    ``changed`` is sent when somebody else has changed what the panel shows.
+    The signal `changed` means that somebody else has changed the displayed objects.
     """
 
     changed = QtCore.Signal()
 
     def __init__(self, document, needed=(), *, goes_with_undo: bool = False):
-        """``needed``: the objects without which there is nothing to edit, with the meshes of parts.
+        """Start a session that needs the given objects and the meshes of parts among them.
 
-        ``goes_with_undo``: undo and redo of whatever step are changes to show, not an end.
+        With `goes_with_undo`, any undo or redo is a change to display; otherwise it ends the
+        session.
         """
         super().__init__()
         self.document = document
@@ -125,39 +126,39 @@ class EditingSession(Session):
         self._meshes = {mesh.Name for mesh in meshes if mesh is not None}
         self._needed = {obj.Name for obj in needed} | self._meshes
         self.view = shown_view(document)
-        # Not by a signal of the view's widgets: PySide would keep their wrappers, and take a widget
-        # that is made later at the same address for the one that is gone.
+        # Signals of the view's widgets will not do: PySide would keep their wrappers, and mistake a
+        # later widget at the same address for the deleted one.
         mdi_area().subWindowActivated.connect(self._look_for_view)
         self.at_end(self._forget_view)
         self._watch = Watch(self)
         self.at_end(self._watch.stop)
 
     def edit(self, title: str, read, write) -> Pending:
-        """Lets the panel change the document in a step with a title; see Pending."""
+        """Let the panel change the document in a step with a title; see Pending."""
         self.pending = Pending(self.document, title, read, write)
         self.at_end(self._take_back)
         return self.pending
 
     @property
     def goes_along(self) -> bool:
-        """Whether the parts may get another shape under the panel."""
+        """Whether the shape of parts may change under the panel."""
         return self._goes_with_undo or self.pending is not None
 
     @contextmanager
     def aside(self):
-        """In this context the panel may do an undo step of its own."""
+        """Let the panel make a separate undo step in this context."""
         with self._watch.pause(), self.pending.aside() if self.pending else nullcontext():
             yield
 
     def is_busy(self) -> bool:
-        """A recompute handles events too, and so does the opening of a document."""
+        """Return whether a command, recompute, undo or document restore is running."""
         mine, is_open = self.document, self.is_document_open()
         return super().is_busy() or (
             is_open and (mine.Recomputing or mine.Restoring or mine.Transacting)
         )
 
     def is_document_open(self) -> bool:
-        """Whether the document is still there, and the same."""
+        """Return whether the same document is still open."""
         return App.listDocuments().get(self._name) == self.document
 
     def _take_back(self) -> None:
@@ -177,10 +178,10 @@ class EditingSession(Session):
         mdi_area().subWindowActivated.disconnect(self._look_for_view)
         self.view = None
 
-    # -- what the watch tells, while FreeCAD is at it
+    # -- called by the watch in the middle of FreeCAD's changes
 
     def on_deleted(self, obj) -> None:
-        """An object of the document goes."""
+        """Handle the deletion of an object of the document."""
         if obj.Name in self._needed:
             if self.pending is not None:
                 self.pending.on_deletion()
@@ -189,8 +190,10 @@ class EditingSession(Session):
             self._soon(self.changed.emit)
 
     def on_changed(self, obj) -> None:
-        """The mesh or the placement of an object is another one: if parts rest on it, so is all
-        that a panel knows of them, or it ends."""
+        """Handle another mesh or placement of an object.
+
+        If parts depend on it, the session announces the change or, without undo steps, ends.
+        """
         if not self._is_mesh(obj):
             return
         if self.pending is not None or self._goes_with_undo:
@@ -199,25 +202,25 @@ class EditingSession(Session):
             self.end_soon()
 
     def _is_mesh(self, obj) -> bool:
-        """Whether it is a mesh that a part rests on, or contains one."""
+        """Return whether an object is, or contains, a mesh on which a part depends."""
         if obj.Name in self._meshes or not obj.hasExtension("App::GeoFeatureGroupExtension"):
             return obj.Name in self._meshes
         return any(inner.Name in self._meshes for inner in obj.OutListRecursive)
 
     def on_close_of_step(self, is_abort: bool) -> None:
-        """An undo step is closed."""
+        """Handle the end of an undo step."""
         if self.pending is not None and self.pending.on_close(is_abort):
             self._soon(self._resume)
 
     def on_undo(self) -> None:
-        """A step was undone."""
+        """Handle an undo."""
         if self.pending is not None and self.pending.on_undo():
             self._soon(self._resume)
         else:
             self._show_or_end()
 
     def on_redo(self) -> None:
-        """A step was redone."""
+        """Handle a redo."""
         if self.pending is not None and self.pending.can_go_forward:
             self._soon(self._go_forward)
         else:

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The undo steps of a document; nothing else opens or closes one.
+"""The undo steps of a document; only this module opens and closes them.
 
-`Document.commitTransaction` and `abortTransaction` do nothing while a step is empty: it would stay
-open and take in whatever changes next. The program's own close does not mind.
+`Document.commitTransaction` and `abortTransaction` do nothing while a step is empty. The step would
+stay open and include the next change. The close function of the application has no such
+restriction.
 
-While a step is open every document that changes joins it, and the active one besides; it is
-committed, taken back, undone and redone in all of them. So a step that is not over at once is one
-that the program does not count as open any more: the document that has begun it goes on with it.
+While a step is open, the active document and every document that changes join it. The step is then
+committed, undone and redone in all of them. A longer step is therefore closed for the application
+and continues in its own document only.
 """
 
 from __future__ import annotations
@@ -19,41 +20,44 @@ import FreeCAD
 from freecad.sheetmorph.kinds import ASSEMBLY, kind
 
 NOBODYS = -1
-"""The number of no step."""
+"""The number that belongs to no step."""
 
 
 def begin(document, title: str) -> int:
-    """Open an undo step and return its number; one that somebody left open is finished."""
+    """Open an undo step and return its number, after finishing any open step."""
     keep()
     document.openTransaction(title)
     return FreeCAD.getActiveTransaction()[1]
 
 
 def begin_alone(document, title: str) -> int:
-    """Open an undo step that no other document joins and return its number; the document has a
-    morph."""
+    """Open an undo step that no other document joins, and return its number.
+
+    The document must have a morph.
+    """
     with _active(document):
         number = begin(document, title)
         for morph in [obj for obj in document.Objects if kind(obj) == ASSEMBLY][:1]:
-            morph.Order = morph.Order  # no change, but the step of the document begins with it
+            # This assignment changes nothing, but starts the document's step.
+            morph.Order = morph.Order
         if document.HasPendingTransaction:
             FreeCAD.closeActiveTransaction(False, NOBODYS)
     return number
 
 
 def keep(number: int = 0) -> None:
-    """Finish a step, by default the one that is open; none is left by one that changed nothing."""
+    """Finish a step, by default the open one; a step without changes leaves no entry."""
     FreeCAD.closeActiveTransaction(False, number)
 
 
 def take_back(number: int = 0) -> None:
-    """Undo what a step, by default the open one, has changed, and close it."""
+    """Undo the changes of a step, by default the open one, and close it."""
     FreeCAD.closeActiveTransaction(True, number)
 
 
 @contextmanager
 def step(document, title: str) -> Iterator[None]:
-    """Do one undo step; an error takes all of it back."""
+    """Make one undo step, and undo all of it after an error."""
     begin(document, title)
     try:
         yield
@@ -65,7 +69,7 @@ def step(document, title: str) -> Iterator[None]:
 
 @contextmanager
 def trial(document, title: str) -> Iterator[None]:
-    """Change the document for a moment: everything is taken back."""
+    """Change the document temporarily, and undo everything at the end."""
     with _active(document):
         begin(document, title)
         try:
@@ -75,7 +79,7 @@ def trial(document, title: str) -> Iterator[None]:
 
 
 def forget_redos(document) -> None:
-    """Leave nothing to be redone: FreeCAD forgets it with the first change of a new step."""
+    """Discard the redo steps, which FreeCAD does at the first change of a new step."""
     if document.RedoCount:
         with trial(document, ""):
             document.addObject("App::FeaturePython", "Nothing")
@@ -83,7 +87,7 @@ def forget_redos(document) -> None:
 
 @contextmanager
 def _active(document) -> Iterator[None]:
-    """Make a document the active one for a moment."""
+    """Make a document the active one temporarily."""
     before = FreeCAD.ActiveDocument
     FreeCAD.setActiveDocument(document.Name)
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The 3D view of a document, whatever tab is on top."""
+"""The 3D view of a document, whichever tab is on top."""
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -10,7 +10,7 @@ VIEW = "Gui::View3DInventor"
 
 
 def shown_view(document):
-    """Brings a 3D view of a document to the top, made if there is none; returns it."""
+    """Bring a 3D view of a document to the top, creating it if necessary, and return it."""
     App.setActiveDocument(document.Name)
     found = Gui.getDocument(document.Name).mdiViewsOfType(VIEW)
     if not found:
@@ -25,12 +25,12 @@ def shown_view(document):
 
 
 def mdi_area():
-    """Where the tabs are."""
+    """Return the area with the tabs of the main window."""
     return Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
 
 
 def is_alive(view) -> bool:
-    """Whether a view has not been closed."""
+    """Return whether a view is still open."""
     try:
         return bool(view.getSize())
     except RuntimeError:
@@ -38,5 +38,5 @@ def is_alive(view) -> bool:
 
 
 def is_in(view, window) -> bool:
-    """Whether a view is shown in a window."""
+    """Return whether a window shows a view."""
     return window is not None and window.isAncestorOf(view.graphicsView())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What FreeCAD tells of one document while a session is open."""
+"""The observer of one document while a session is open."""
 
 from __future__ import annotations
 
@@ -10,24 +10,27 @@ import FreeCAD
 
 
 class Watch:
-    """A document observer until `stop`; it is called in the midst of changes."""
+    """A document observer until `stop`, which FreeCAD calls in the middle of changes."""
 
     def __init__(self, session):
-        """`session` has document, end_soon, and on_deleted, on_changed, on_close_of_step, on_undo
-        and on_redo, as they are called below."""
+        """Start to observe the document of a session.
+
+        `session` has document, end_soon, on_deleted, on_changed, on_close_of_step, on_undo and
+        on_redo.
+        """
         self._session = session
         self._document = session.document
         self._is_paused = False
         FreeCAD.addDocumentObserver(self)
 
     def stop(self) -> None:
-        """Hear nothing any more."""
+        """Stop observing."""
         FreeCAD.removeDocumentObserver(self)
         self._session = self._document = None
 
     @contextmanager
     def pause(self) -> Iterator[None]:
-        """Hear nothing of what the session itself does."""
+        """Ignore the changes that the session makes in this context."""
         self._is_paused = True
         try:
             yield
@@ -35,32 +38,32 @@ class Watch:
             self._is_paused = False
 
     def slotDeletedObject(self, obj) -> None:
-        """FreeCAD calls this before an object goes, also in undo."""
+        """Report that an object is about to be deleted, also by an undo."""
         if self._is_heard(obj.Document):
             self._session.on_deleted(obj)
 
     def slotChangedObject(self, obj, name: str) -> None:
-        """FreeCAD calls this after every change of a property, also in undo."""
+        """Report a changed mesh or placement, also by an undo."""
         if name in ("Mesh", "Placement") and self._is_heard(obj.Document):
             self._session.on_changed(obj)
 
     def slotBeforeCloseTransaction(self, is_abort: bool) -> None:
-        """FreeCAD calls this before it commits or takes back a step of whatever document."""
+        """Report that a step of any document will be committed or aborted."""
         if not self._is_paused:
             self._session.on_close_of_step(is_abort)
 
     def slotUndoDocument(self, document) -> None:
-        """FreeCAD calls this after an undo."""
+        """Report an undo."""
         if self._is_heard(document):
             self._session.on_undo()
 
     def slotRedoDocument(self, document) -> None:
-        """FreeCAD calls this after a redo."""
+        """Report a redo."""
         if self._is_heard(document):
             self._session.on_redo()
 
     def slotDeletedDocument(self, document) -> None:
-        """FreeCAD calls this when a document is closed."""
+        """End the session when its document closes."""
         if self._is_heard(document):
             self._session.end_soon()
 

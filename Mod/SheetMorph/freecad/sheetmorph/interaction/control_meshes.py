@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which control meshes there are to show."""
+"""The control meshes to show."""
 
 from freecad.sheetmorph.objects import model
 
 
 def collect(assembly, ask, chosen=()) -> list:
-    """The control meshes (vertices, triangles) of chosen contacts, else of all; or the single one.
+    """Return the control meshes (vertices, triangles) of chosen contacts, else of all.
 
-    ``ask(contact or None)`` answers as ``api.control_mesh`` does.
+    A morph with a single control mesh gives that one. `ask(contact or None)` answers as
+    `api.control_mesh`.
     """
     if assembly.Propagation == "single":
         wanted = [None]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Computes the final shape of a morph in the background after its panel was closed.
+"""The background computation of a morph's final shape after its panel closes.
 
-The document has the new pose at once. Until the final shape arrives, its parts are due, the view
+The document has the new pose at once. Until the final shape arrives, the parts are due, the view
 keeps the last frame, and the status of the morph says so. A recompute by a command or a script
 waits for the final shape.
 """
@@ -17,18 +17,18 @@ from freecad.sheetmorph.interaction.finishing_bar import FinishingBar
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import MorphError
-from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, translate
 
-PATIENCE = 0.06  # seconds that OK may wait for a shape, so that a small morph has it at once
-LARGE = 20_000  # vertices of a morph whose shape OK does not wait for
-NAP = 0.002  # seconds between two looks meanwhile
-LOOK = 20  # ms between two looks whether a document is free
+PATIENCE = 0.06  # s that OK may wait, so that a small morph gets its final shape at once
+LARGE = 20_000  # vertices of a morph above which OK does not wait
+NAP = 0.002  # s between two checks during this wait
+LOOK = 20  # ms between two checks whether a document is free
 COMPUTED = "Being computed: the parts still have an earlier shape."
 STOPPED = "Not computed: recompute the document to get the final shape."
 
 
 class Finish(QtCore.QObject):
-    """Computes one morph until its parts have their final shape, or it is stopped."""
+    """The computation of one morph until its parts have their final shape, or until it stops."""
 
     def __init__(self, assembly, is_quiet: bool):
         super().__init__()
@@ -40,57 +40,59 @@ class Finish(QtCore.QObject):
         self.task, self._fraction = "", 0.0
         self._scene = self._expected = None
         self._cache = solving.cache_of(assembly)
-        self._worker = FrameWorker(self._compute, self)  # last: it has to be stopped
+        self._worker = FrameWorker(self._compute, self)  # last, because it must be stopped
 
     def take(self, scene) -> None:
-        """Owns a LiveScene: it is shown until the final shape is."""
+        """Own a LiveScene and show it until the final shape arrives."""
         self.drop_scene()
         self._scene = scene
 
     def expect(self, morph) -> None:
-        """Computes this morph first. It most likely equals the document, and reading that takes
-        long with many regions."""
+        """Compute this morph first, which very likely equals that of the document.
+
+        Reading the document takes long with many regions.
+        """
         self._expected = morph
 
     def drop_scene(self) -> None:
-        """Shows the meshes as the document has them."""
+        """Show the meshes of the document again."""
         if self._scene is not None:
             self._scene.remove()
         self._scene = None
 
     @property
     def percent(self) -> int:
-        """How much of the present task is done."""
+        """The progress of the present task."""
         return round(100.0 * self._fraction)
 
     @property
     def is_computing(self) -> bool:
-        """Whether its thread is at work."""
+        """Whether the thread is running."""
         return not self._worker.is_idle
 
     def end(self) -> None:
-        """Computes and shows nothing any more, and waits for nothing."""
+        """Stop computing and displaying, without waiting."""
         self.is_over = True
         self._worker.stop()
         self.drop_scene()
 
     def stop(self) -> None:
-        """The user does not want to wait: the parts stay due."""
+        """Stop at the user's request; the parts stay due."""
         self.end()
         if self.assembly() is not None:
             solving.tell_status(self.assembly(), STOPPED)
 
     def assembly(self):
-        """The morph, None if it is gone."""
+        """Return the morph, None if it no longer exists."""
         is_open = App.listDocuments().get(self._document_name) == self._document
         return self._document.getObject(self._name) if is_open else None
 
     def is_in(self, document) -> bool:
-        """Whether it is a morph of a document."""
+        """Return whether the morph belongs to a document."""
         return self._document == document
 
     def look(self) -> None:
-        """Goes on as far as it can at once; the document is free."""
+        """Continue as far as possible without waiting; the document must be free."""
         if not self._worker.is_idle:
             return
         expected, self._expected = self._expected, None
@@ -100,7 +102,7 @@ class Finish(QtCore.QObject):
         try:
             morph = solving.read_morph(self.assembly())
         except (MorphError, *solving.FAILURES):
-            self.apply()  # the recompute says what is wrong
+            self.apply()  # the recompute reports the error
             return
         if self._cache.is_known(morph) or not morph.is_held():
             self.apply()
@@ -112,7 +114,7 @@ class Finish(QtCore.QObject):
         self._worker.ask(morph)
 
     def is_answered(self, seconds: float) -> bool:
-        """Whether the answer is there within some seconds; in the thread of the window."""
+        """Wait in the window thread for the answer; return whether it came in time."""
         end = time.monotonic() + seconds
         try:
             morph = solving.read_morph(self.assembly())
@@ -129,7 +131,7 @@ class Finish(QtCore.QObject):
         return False
 
     def apply(self) -> None:
-        """Gives the parts their shape."""
+        """Give the parts their shape."""
         self.is_over = True
         assembly = self.assembly()
         solving.make_due(assembly)
@@ -144,34 +146,34 @@ class Finish(QtCore.QObject):
             tell(self.label, fault)
 
     def _compute(self, morph):
-        """In the thread."""
+        """Compute the morph in the worker thread."""
         return self._cache.compute(morph, self._goes_on)
 
     def _goes_on(self, fraction: float, task: str) -> bool:
-        """In the thread: whether to go on."""
+        """Return whether to continue; runs in the worker thread."""
         self._fraction = fraction
         self._worker.tell(task)
         return self._worker.is_free
 
-    # -- what the worker calls
+    # -- called by the worker
 
     def on_answer(self, _outcome) -> None:
-        """The next look finds the answer."""
+        """Do nothing, since the next look finds the answer."""
 
     def on_fault(self, text: str) -> None:
-        """There will be no answer."""
+        """Stop, since no answer will come."""
         self.stop()
         self._tell(text)
 
     def on_progress(self, task: str) -> None:
-        """What is under way."""
+        """Store the present task."""
         self.task = task
 
 
 class Finishing(QtCore.QObject):
-    """All morphs of the program whose final shape is on its way.
+    """All morphs of the application whose final shape is being computed.
 
-    ``finished`` is sent with a morph whose parts have got it, or will not.
+    The signal `finished` has a morph whose parts have their final shape, or will not get it.
     """
 
     finished = QtCore.Signal(object)
@@ -184,11 +186,13 @@ class Finishing(QtCore.QObject):
         self._bar = None
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(LOOK)
-        self._timer.timeout.connect(self._look)
+        connect(self._timer, "timeout()", self._look)
 
     def finish(self, assembly, *, is_quiet: bool = False) -> Finish:
-        """Lets the parts of a morph follow its present pose in the background. ``is_quiet``: a
-        fault is left to the report view."""
+        """Compute the shape of a morph's present pose in the background.
+
+        With `is_quiet`, a fault goes to the report view only.
+        """
         key = assembly.Document.Name, assembly.Name
         job = self._jobs.get(key)
         if job is None or job.is_over:
@@ -197,14 +201,16 @@ class Finishing(QtCore.QObject):
         return job
 
     def look_at(self, document) -> None:
-        """A document is opened: what was saved before its final shape was there gets it."""
+        """Compute the final shapes that are missing in a document once it is open."""
         if document not in self._opened:
             self._opened.append(document)
             self._timer.start()
 
     def is_quick(self, assembly) -> bool:
-        """Whether a recompute of a morph takes no time, after a wait of `PATIENCE` at most. The
-        solve of a small one goes on in the background otherwise."""
+        """Return whether a recompute is instant, after waiting for PATIENCE at most.
+
+        Otherwise the solution of a small morph continues in the background.
+        """
         if vertices_of(assembly) > LARGE:
             return False
         begin = time.monotonic()
@@ -219,37 +225,39 @@ class Finishing(QtCore.QObject):
         return is_known
 
     def is_under_way(self) -> bool:
-        """Whether a final shape is on its way and may come."""
+        """Return whether a final shape is being computed and can be applied."""
         jobs = self._jobs.values()
         return bool(self._opened) or any(not j.is_over and not self._is_held(j) for j in jobs)
 
     def is_due(self, assembly) -> bool:
-        """Whether the parts of a morph still have an earlier shape."""
+        """Return whether the parts of a morph still have an earlier shape."""
         return any(job.assembly() == assembly for job in self._jobs.values() if not job.is_over)
 
     def drop_scene(self, assembly) -> None:
-        """A panel is going to show the morph itself."""
+        """Remove the display of a morph before a panel shows it."""
         for job in self._jobs.values():
             if job.assembly() == assembly:
                 job.drop_scene()
 
     def hold(self, session) -> None:
-        """A panel with a session is open: see `_is_held`."""
+        """Register the session of an open panel, see `_is_held`."""
         self._holds.append(session)
 
     def release(self, session) -> None:
-        """That session is over."""
+        """Remove a session that has ended."""
         self._holds = [one for one in self._holds if one is not session]
 
     def stop_all(self) -> None:
-        """The user does not want to wait."""
+        """Stop all computations at the user's request."""
         for job in self._jobs.values():
             if not job.is_over:
                 job.stop()
 
     def _is_held(self, job) -> bool:
-        """Whether an open panel keeps shapes out of its document: one that moves handles shows the
-        parts itself."""
+        """Return whether an open panel keeps shapes out of its document.
+
+        A panel that moves handles shows the parts in its own preview.
+        """
         return any(
             job.is_in(session.document)
             and (not session.goes_along or (job.is_quiet and session.pending is not None))
@@ -284,17 +292,17 @@ class Finishing(QtCore.QObject):
                 self._bar = FinishingBar(self.stop_all)
             self._bar.tell(job.label, job.task, job.percent)
 
-    # -- what FreeCAD calls, in the midst of changes
+    # -- called by FreeCAD in the middle of changes
 
     def slotUndoDocument(self, document) -> None:
-        """The meshes that came after the step are not undone with it."""
+        """Recompute the meshes that came after the step, which an undo does not restore."""
         for assembly in due_in(document):
             self.finish(assembly, is_quiet=True)
 
     slotRedoDocument = slotUndoDocument
 
     def slotDeletedDocument(self, document) -> None:
-        """Stops what was computed for it."""
+        """Stop the computations for a closed document."""
         self._opened = [one for one in self._opened if one != document]
         for job in self._jobs.values():
             if job.is_in(document) and not job.is_over:
@@ -302,7 +310,7 @@ class Finishing(QtCore.QObject):
 
 
 def is_free(job) -> bool:
-    """Whether no recompute, open step or dialog is in the way of changing the document."""
+    """Return whether no recompute, open step or dialog prevents a change of the document."""
     document = job.assembly().Document
     if document.Recomputing or document.Restoring or document.Transacting:
         return False
@@ -312,13 +320,13 @@ def is_free(job) -> bool:
 
 
 def vertices_of(assembly) -> int:
-    """How many vertices the parts of a morph have."""
+    """Return the number of vertices of a morph's parts."""
     sources = [part.Source for part in model.parts(assembly)]
     return sum(source.Mesh.CountPoints for source in sources if source is not None)
 
 
 def due_in(document) -> list:
-    """The morphs of a document whose parts have an earlier shape; none without the kernel."""
+    """Return the morphs of a document with parts that are due, none without the kernel."""
     if not kernel.is_available():
         return []
     morphs = [obj for obj in document.Objects if model.kind(obj) == model.ASSEMBLY]
@@ -326,7 +334,7 @@ def due_in(document) -> list:
 
 
 def is_due(assembly) -> bool:
-    """Whether something that the parts depend on was changed since the last recompute."""
+    """Return whether an input of the parts has changed since the last recompute."""
     deformation = model.deformation_of(assembly)
     if deformation is None:
         return False
@@ -335,7 +343,7 @@ def is_due(assembly) -> bool:
 
 
 def tell(label: str, text: str) -> None:
-    """Reports that a shape failed, in a window that blocks nothing."""
+    """Report a failed shape in a window that blocks nothing."""
     App.Console.PrintError(f"SheetMorph: {text}\n")
     title = translate("SheetMorph_panels", "The shape of {0} failed").format(label)
     box = QtWidgets.QMessageBox(
@@ -348,7 +356,7 @@ def tell(label: str, text: str) -> None:
 
 @lru_cache(maxsize=1)
 def finishing() -> Finishing:
-    """The one of this process, made in the thread of the window."""
+    """Return the only instance of this process, created in the window thread."""
     found = Finishing()
     App.addDocumentObserver(found)
     return found

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The line in FreeCAD's status bar that says which shape is computed, with a button to stop it."""
+"""The line in FreeCAD's status bar that names the shape being computed, with a stop button."""
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph.qt import QtWidgets, translate
+from freecad.sheetmorph.qt import QtWidgets, connect, translate
 
 WIDTH = 120  # px of the bar
 
 
 class FinishingBar:
-    """Shown until ``remove`` is called."""
+    """The line in the status bar until `remove`."""
 
     def __init__(self, stop):
-        """``stop()`` is called when the user does not want to wait."""
+        """Show the line; the button calls `stop()`."""
         self._row = QtWidgets.QWidget()
         self._row.setObjectName("SheetMorphFinishing")
         row = QtWidgets.QHBoxLayout(self._row)
@@ -30,14 +30,14 @@ class FinishingBar:
                 "Stops computing; a recompute of the document computes the shape.",
             )
         )
-        self._button.clicked.connect(stop)
+        connect(self._button, "clicked()", stop)
         for widget in (self._text, self._bar, self._button):
             row.addWidget(widget)
         Gui.getMainWindow().statusBar().addPermanentWidget(self._row)
         self._row.show()
 
     def tell(self, label: str, task: str, percent: int) -> None:
-        """Shows the name of a morph, what is under way and how much of it is done."""
+        """Show the name of a morph, its present task and the progress."""
         text = translate("SheetMorph_panels", "Computing the final shape of {0}").format(label)
         self._text.setText(f"{text}: {task}" if task else text)
         if percent != self._percent:  # setValue repaints the whole window at once
@@ -46,6 +46,6 @@ class FinishingBar:
             self._bar.setValue(percent)
 
     def remove(self) -> None:
-        """Takes it out of the status bar."""
+        """Remove the line from the status bar."""
         Gui.getMainWindow().statusBar().removeWidget(self._row)
         self._row.deleteLater()

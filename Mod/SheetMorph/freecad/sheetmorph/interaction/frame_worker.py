@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Computes in a thread of its own, so that a slow frame never blocks the window."""
+"""Computation in a separate thread, so that a slow frame never blocks the window."""
 
 import os
 import sys
@@ -15,17 +15,17 @@ from freecad.sheetmorph.tools.latest import Latest
 
 NICENESS = 10  # of 19: a thread at 0 gets ten times as much processor time
 ENDING: set = set()
-"""Workers that were stopped and whose threads are at work still; they go when that has ended."""
+"""Stopped workers with a running thread; they stay here until it ends."""
 
 
 class FrameWorker(QtCore.QObject):
-    """Answers questions one at a time; of those asked meanwhile only the last is answered.
+    """A worker that answers one question at a time and replaces the waiting one by a newer.
 
-    ``compute(question)`` runs in the thread; the listener's ``on_answer(answer)`` or
-    ``on_fault(text)`` runs in the thread of the window, before the next question begins, and
-    ``on_progress(task)`` for what ``compute`` hands to ``tell`` meanwhile. What either raises is a
-    fault, and the next question is answered all the same. Whoever makes one calls ``stop``: until
-    then garbage is collected in the thread of the window alone.
+    `compute(question)` runs in the worker thread. The listener's `on_answer(answer)` or
+    `on_fault(text)` runs in the window thread before the next question begins. `on_progress(task)`
+    receives the texts that `compute` passes to `tell`. An exception in either thread is a fault,
+    and does not prevent the next answer. The owner must call `stop`: until then only the window
+    thread collects garbage.
     """
 
     _computed = QtCore.Signal(object, object)
@@ -46,33 +46,37 @@ class FrameWorker(QtCore.QObject):
 
     @property
     def is_idle(self) -> bool:
-        """Whether nothing is under way that anybody is told of."""
+        """Whether no computation with a listener is running."""
         return self._listener is None or not self._latest.is_busy
 
     @property
     def is_free(self) -> bool:
-        """Whether the current computation still matters: a listener is there, and no newer question
-        waits."""
+        """Whether the current computation still matters.
+
+        It does while there is a listener and no newer question waits.
+        """
         return self._listener is not None and not self._latest.is_waiting
 
     def ask(self, question) -> None:
-        """Begins, or lets the question wait in place of another one."""
+        """Start to answer a question, or let it wait in place of another one."""
         self._begin(self._latest.ask(question))
 
     def tell(self, task: str) -> None:
-        """In the thread: what is under way, once each."""
+        """Report the present task, once each; runs in the worker thread."""
         if task != self._last_told:
             self._last_told = task
             self._told.emit(task)
 
     def hush(self) -> None:
-        """Nothing is delivered any more."""
+        """Deliver nothing more."""
         self._latest.drop()
         self._listener = None
 
     def stop(self) -> None:
-        """Delivers nothing any more, and waits for nothing: what is under way ends as soon as it
-        looks at `is_free`."""
+        """Deliver nothing more, and return without waiting for the thread.
+
+        The running computation ends at its next check of `is_free`.
+        """
         self.hush()
         if self._is_running:
             self._is_running = False
@@ -85,7 +89,7 @@ class FrameWorker(QtCore.QObject):
             self._thread.shutdown(wait=False)
 
     def _let_go(self) -> None:
-        """The thread has nothing to do any more."""
+        """Release the resources after the thread has ended."""
         ENDING.discard(self)
         self._compute = None
         collecting().release()
@@ -97,7 +101,7 @@ class FrameWorker(QtCore.QObject):
     def _run(self, question) -> None:
         try:
             answer, fault = self._compute(question), ""
-        except Exception as error:  # whatever it is, it is shown and the next frame is tried
+        except Exception as error:  # any error is shown, and the next frame is tried
             answer, fault = None, sentence_of(error)
         self._computed.emit(answer, fault)
 
@@ -120,14 +124,16 @@ class FrameWorker(QtCore.QObject):
 
 
 def give_way() -> None:
-    """Lowers the priority of the current thread, so that the window's runs first. Only Linux has
-    priorities of single threads."""
+    """Lower the priority of the current thread, so that the window's thread runs first.
+
+    Only Linux has priorities of single threads.
+    """
     if sys.platform == "linux":
         os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), NICENESS)
 
 
 def sentence_of(error: Exception) -> Fault:
-    """What went wrong, in words for the panel."""
+    """Return an error as a fault for the panel."""
     if isinstance(error, MemoryError):
         text = translate(
             "SheetMorph_panels",

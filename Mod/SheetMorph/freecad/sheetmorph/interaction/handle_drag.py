@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The mouse in the 3D view while handles are moved: arrows, points, snapping, Escape."""
+"""The mouse in the 3D view while handles move: arrows, points, snapping, Escape."""
 
 from freecad.sheetmorph.bridge.units import number_in
 from freecad.sheetmorph.scene.cursor_value import CursorValue
@@ -9,10 +9,11 @@ from freecad.sheetmorph.tools.pulling import Pull
 
 
 class HandleDrag:
-    """Turns drags into motions until ``remove`` is called.
+    """The conversion of drags into motions, until `remove`.
 
-    ``owner``: motion() and pivot(), (3,) mm, of the handle that is moved; put(motion); settle()
-    when the mouse is released; grab(ray): chooses what is there, returns its point or None.
+    `owner` has motion() and pivot() (3,) mm of the moved handle, and put(motion). It has settle(),
+    called when the mouse is released, and grab(ray), which chooses the vertex under the mouse and
+    returns its position or None.
     """
 
     def __init__(self, view, owner):
@@ -27,7 +28,7 @@ class HandleDrag:
         self.moves_pivot = False
 
     def remove(self) -> None:
-        """Takes everything out of the view."""
+        """Remove everything from the view."""
         self._escape.stop()
         self._points.remove()
         self._value.remove()
@@ -35,11 +36,11 @@ class HandleDrag:
 
     @property
     def is_dragging(self) -> bool:
-        """Whether the mouse has the handle."""
+        """Whether the mouse drags the handle."""
         return self._start is not None
 
     def show_arrows(self, is_shown: bool) -> None:
-        """Arrows and arcs at the pivot, or none."""
+        """Show or hide arrows and arcs at the pivot."""
         if self._arrows is not None:
             self._arrows.remove()
             self._arrows = None
@@ -49,30 +50,30 @@ class HandleDrag:
             self.place()
 
     def use_points(self, is_on: bool) -> None:
-        """Whether points are dragged, or the mouse does what it does otherwise."""
+        """Switch whether the mouse drags points, or acts as usual."""
         self._points.is_on = is_on
 
     def snap(self, steps) -> None:
-        """Steps of the arrows, (mm, degrees), or None."""
+        """Set the steps of the arrows, (mm, degrees), or None."""
         self._steps = steps
         if self._arrows is not None:
             self._arrows.snap(steps)
 
     def place(self) -> None:
-        """Puts the arrows where the motion is."""
+        """Move the arrows to the present motion."""
         if self._arrows is not None:
             self._arrows.place(self._owner.pivot(), self._owner.motion())
 
-    # -- what the arrows call
+    # -- called by the arrows
 
     def on_grab(self) -> None:
-        """A drag begins."""
+        """Start a drag."""
         self._start = self._owner.motion(), self._owner.pivot()
         self._pull = Pull(self._start[0])
         self._escape.start()
 
     def on_drag(self, translation, axis, angle: float) -> None:
-        """The arrows were dragged."""
+        """Handle a drag of the arrows."""
         if self._start is None:
             return
         motion, pivot = self._start
@@ -83,7 +84,7 @@ class HandleDrag:
             self._go_to(motion.turned(translation, axis, angle))
 
     def on_release(self) -> None:
-        """The drag has ended; a value that was being typed counts."""
+        """End the drag; a value that was being typed counts."""
         if self._pull is not None and self._pull.text:
             self.on_key("\n")
         self._end()
@@ -100,10 +101,10 @@ class HandleDrag:
         self._escape.stop()
         self._value.show("")
 
-    # -- what the view tells of keys and size
+    # -- called by the view
 
     def on_key(self, key: str) -> bool:
-        """A value typed while the mouse has the handle: Enter ends the drag there."""
+        """Add a key to the value typed during a drag; Enter ends the drag there."""
         if self._pull is None:
             return False
         if key != "\n":
@@ -119,28 +120,28 @@ class HandleDrag:
         return True
 
     def on_resize(self) -> None:
-        """Arrows stay as large as they are on the screen."""
+        """Restore the size of the arrows on the screen."""
         if self._arrows is not None:
             self._arrows.resize()
 
     def _let_go(self) -> None:
-        """What the mouse does until it is released is nobody's."""
+        """Ignore the mouse until it is released."""
         self._end()
         for tool in (self._arrows, self._points):
             if tool is not None:
                 tool.cancel()
 
-    # -- what points call
+    # -- called by points
 
     def on_press(self, ray):
-        """The point that is grabbed, or None."""
+        """Return the point to grab, or None."""
         point = self._owner.grab(ray)
         if point is not None:
             self.on_grab()
         return point
 
     def on_pull(self, shift) -> None:
-        """The point was dragged."""
+        """Handle a drag of the point."""
         if self._start is not None:
             self._go_to(self._start[0].shifted(shift))
             self.place()
@@ -148,7 +149,7 @@ class HandleDrag:
     on_drop = on_release
 
     def on_escape(self) -> bool:
-        """Takes a drag back; without one Escape is not ours."""
+        """Undo a drag; return False without one, so that Escape keeps its usual effect."""
         if self._start is None:
             return False
         before = self._start[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is drawn while a morph moves: the parts, and on demand what tells more about the motion."""
+"""The drawings of a moving morph: the parts and, on demand, details of the motion."""
 
 from functools import partial
 
@@ -17,22 +17,25 @@ from freecad.sheetmorph.tools import element_quality, live_values, words
 
 PLACES = "SheetMorphWorstPlaces"
 NONE, DISPLACEMENT, QUALITY, GAPS, STRETCH, ELEMENTS = range(6)
-"""What colours say; from ELEMENTS on the measures of element_quality.MEASURES, one by one."""
+"""The meaning of colours; ELEMENTS and above are measures of element_quality.MEASURES."""
 
 
 class LiveScene:
-    """Drawings of one morph in a 3D view until ``remove`` is called."""
+    """The drawings of one morph in a 3D view until `remove`."""
 
     def __init__(self, assembly, live, view):
-        """``live``: a live_session.LiveSession."""
+        """Create the scene; `live` is a live_session.LiveSession."""
         self._assembly, self._live, self._view = assembly, live, view
         self._previews, self._ghosts = {}, []
         self._wires = self._marks = self._places = None
         self._are_filled = True
 
     def show(self, frame, values, legend) -> None:
-        """Shows a live_session.Frame; ``values`` (n,) by part, or None, are colours in the span of
-        a live_values.Legend, whose places are marked."""
+        """Show a live_session.Frame.
+
+        `values` (n,) by part, or None, become colours in the span of a live_values.Legend, whose
+        places are marked.
+        """
         if not self._previews:
             self._begin()
         self._fill_regions(values is None)
@@ -46,28 +49,28 @@ class LiveScene:
         self.refresh(frame)
 
     def refresh(self, frame) -> None:
-        """Shows what goes with the parts in a frame that is shown, None before the first one."""
+        """Update the details of the displayed frame, None before the first one."""
         if self._wires is not None:
             self._wires.show(control_meshes.collect(self._assembly, self._live.control_mesh))
         if self._marks is not None and frame is not None and frame.result is not None:
             self._marks.show(frame.result.features)
 
     def use_original(self, is_on: bool) -> None:
-        """The parts at rest as ghosts."""
+        """Show or hide the parts at rest as ghosts."""
         for ghost in self._ghosts:
             ghost.remove()
         self._ghosts = [Ghost(*drawn) for drawn in self._at_rest()] if is_on else []
 
     def use_wires(self, is_on: bool) -> None:
-        """The control meshes as wires."""
+        """Show or hide the control meshes as wires."""
         self._wires = self._exchanged(self._wires, Wireframe, is_on)
 
     def use_marks(self, is_on: bool) -> None:
-        """How far every form feature moved and turned."""
+        """Show or hide the displacements of all form features."""
         self._marks = self._exchanged(self._marks, FeatureMarks, is_on)
 
     def valuer(self, kind: int):
-        """What works out the values that the colours say, None for NONE."""
+        """Return the measure behind a kind of colours, None for NONE."""
         parts = self._live.parts
         if kind == DISPLACEMENT:
             return live_values.Displacement({name: rest.points for name, rest in parts.items()})
@@ -85,13 +88,13 @@ class LiveScene:
         return None
 
     def show_shape_alone(self) -> None:
-        """Shows the parts in their colours, and nothing besides."""
+        """Show the parts in their colours without any details."""
         self._show_nothing_besides()
         for shown in self._previews.values():
             shown.plain()
 
     def remove(self) -> None:
-        """Shows the meshes as the document has them; the document may be closed."""
+        """Show the meshes of the document again; the document may be closed."""
         self._show_nothing_besides()
         for shown in self._previews.values():
             shown.remove()
@@ -105,7 +108,7 @@ class LiveScene:
         self._fill_regions(True)
 
     def _elements(self, measure: str):
-        """Those of the parts that decks tell the elements of; triangles of the others."""
+        """Return the measure of element quality, with triangles for parts without a deck."""
         module, found = kernel.element_measures(), {}
         for name, rest in self._live.parts.items():
             no_corner = np.full((len(rest.triangles), 1), -1)
@@ -120,7 +123,7 @@ class LiveScene:
         return element_quality.ElementQuality(measure, measured, limits, found)
 
     def _mark(self, places) -> None:
-        """Marks live_values.Places with what they say in percent."""
+        """Mark live_values.Places with their values in percent."""
         if bool(places) != (self._places is not None):
             kind = partial(PlaceMarks, name=PLACES, colour=colours.MARKS)
             self._places = self._exchanged(self._places, kind, bool(places))
@@ -133,7 +136,7 @@ class LiveScene:
         return kind(self._view) if is_on else None
 
     def _fill_regions(self, is_on: bool) -> None:
-        """Regions in their colours, or as outlines that leave the colours of values alone."""
+        """Show regions in their colours, or as outlines that leave other colours visible."""
         if is_on == self._are_filled:
             return
         self._are_filled = is_on
@@ -150,7 +153,7 @@ class LiveScene:
         }
 
     def _at_rest(self) -> list:
-        """The view of every part, who draws it, and its mesh at rest."""
+        """Return view, drawer and mesh at rest of every part."""
         drawer, found = drawing.drawer(), []
         for part in model.parts(self._assembly):
             rest = self._live.parts[part.Name]
@@ -177,6 +180,6 @@ class LiveScene:
 
 
 def shapes_of(part) -> list:
-    """The views of the deformed shape of a part, which would show the pose before."""
+    """Return the view of a part's deformed shape, which would show the previous pose."""
     shape = part.DeformedShape
     return [] if shape is None else [shape.ViewObject]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Keeps the 3D view and the result objects up with a motion that is being changed."""
+"""Updates of the 3D view and of the result objects during a motion."""
 
 import time
 
@@ -13,15 +13,15 @@ from freecad.sheetmorph.interaction.live_scene import LiveScene
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools import grabbing, live_values, words
 
-SHOWN = object()  # the question for what is shown already, in other colours
+SHOWN = object()  # the question for the displayed frame in other colours
 
 
 class LiveUpdate(QtCore.QObject):
-    """Previews of all parts of a morph, and commits of its document; ``remove`` takes them away.
+    """Previews of all parts of a morph, and commits of its document, until `remove`.
 
-    Frames are computed in a thread; ``drawn`` is sent when one is in the view, ``failed`` with
-    the fault when it cannot be computed or the document not recomputed, ``settling`` with what is
-    under way to an exact shape, ``reached`` with the live_session.Reached of a number.
+    A thread computes the frames. `drawn` is sent when a frame is in the view. `failed` has the
+    fault of a failed frame or recompute. `settling` has the present task on the way to an exact
+    shape. `reached` has the live_session.Reached of a number.
     """
 
     drawn = QtCore.Signal()
@@ -30,7 +30,10 @@ class LiveUpdate(QtCore.QObject):
     reached = QtCore.Signal(object)
 
     def __init__(self, assembly, updating, session):
-        """``session``: the EditingSession; raises MorphError if the morph cannot be computed."""
+        """Start previews in an EditingSession.
+
+        Raises MorphError if the morph cannot be computed.
+        """
         super().__init__()
         self._assembly = assembly
         self._updating = updating
@@ -43,10 +46,10 @@ class LiveUpdate(QtCore.QObject):
         self.legend = None
         self.kernel_ms = self.draw_ms = 0.0
         self.count = 0
-        self._worker = FrameWorker(self._compute, self)  # last: it has to be stopped
+        self._worker = FrameWorker(self._compute, self)  # last, because it must be stopped
 
     def ask(self, moved=(), exact: bool = False) -> None:
-        """Asks for the present motions; ``moved``: the handles that are being changed.
+        """Request a frame of the present motions; `moved` are the handles that change.
 
         An exact answer becomes that of the result objects too.
         """
@@ -54,15 +57,17 @@ class LiveUpdate(QtCore.QObject):
         self._worker.ask(self._live.ask([handle.Name for handle in moved], exact))
 
     def ask_reach(self, handle, number: int, criteria: dict) -> bool:
-        """Asks how far a number of a handle may go, if nothing else is under way: any other
-        question ends that. Returns whether it was asked."""
+        """Request the possible range of a handle's number, unless the worker is busy.
+
+        Any other question ends this one. Returns whether the request was made.
+        """
         if self._worker.is_idle:
             self._worker.ask(self._live.ask_reach(handle, number, criteria))
             return True
         return False
 
     def grab(self, ray):
-        """The grabbing.Grabbed vertex that a ray meets first on the parts as they are seen."""
+        """Return the grabbing.Grabbed vertex that a ray meets first on the displayed parts."""
         parts = self._live.parts
         seen = {name: rest.points for name, rest in parts.items()}
         if self._frame is not None:
@@ -71,12 +76,12 @@ class LiveUpdate(QtCore.QObject):
         return grabbing.grab(kernel.core(), meshes, ray)
 
     def refresh(self) -> None:
-        """Shows what the scene was told to show meanwhile, unless a frame that does is coming."""
+        """Update the details of the scene, unless the worker will draw a new frame."""
         if self._worker.is_idle:
             self.scene.refresh(self._frame)
 
     def use_colours(self, kind: int) -> None:
-        """What the colours say: NONE, DISPLACEMENT, QUALITY, GAPS or STRETCH of live_scene."""
+        """Set the meaning of colours: NONE, DISPLACEMENT or another of live_scene."""
         self._valuer, self.legend = self.scene.valuer(kind), None
         if self._frame is None:
             self.ask()
@@ -84,18 +89,19 @@ class LiveUpdate(QtCore.QObject):
             self._worker.ask(SHOWN)
 
     def hush(self) -> None:
-        """Draws and commits nothing any more; what is shown stays until ``remove``."""
+        """Draw and commit nothing more; the display stays until `remove`."""
         self._worker.hush()
 
     def finish(self) -> None:
-        """The step with the present pose is kept: its final shape comes in the background. If the
-        pose stays, what is shown stays until then."""
+        """Compute the final shape of the stored pose in the background.
+
+        If the pose stays, the display stays until then.
+        """
         self._left = self._live.ask().pose
         finishing().finish(self._assembly).expect(self._live.posed(self._left))
 
     def remove(self) -> None:
-        """Shows the meshes as the document has them, and lets the solution go; waits for nothing
-        that is under way."""
+        """Show the meshes of the document and release the solution, without waiting."""
         self._worker.stop()
         if self._is_left():
             self.scene.show_shape_alone()
@@ -105,7 +111,7 @@ class LiveUpdate(QtCore.QObject):
         self._live = self._frame = self._valuer = self.legend = None
 
     def _is_left(self) -> bool:
-        """Whether the final shape of the present pose is on its way."""
+        """Return whether the final shape of the present pose is being computed."""
         if self._left is None or self._frame is None:
             return False
         try:
@@ -114,10 +120,10 @@ class LiveUpdate(QtCore.QObject):
         except (ReferenceError, RuntimeError):
             return False  # the document is closed
 
-    # -- what the worker calls
+    # -- called by the worker
 
     def on_answer(self, answer) -> None:
-        """Draws a frame; the result objects follow an exact one, or at once if that is quick."""
+        """Draw a frame; result objects follow an exact one, or any if that is fast."""
         if answer is None or isinstance(answer, live_session.Reached):
             self.reached.emit(answer)
             return
@@ -139,7 +145,7 @@ class LiveUpdate(QtCore.QObject):
 
     @property
     def worst(self) -> str:
-        """What the legend says in words; empty without colours."""
+        """The legend as text, empty without colours."""
         if self.legend is None or self._valuer is None:
             return ""
         if not self.legend.part:
@@ -153,31 +159,33 @@ class LiveUpdate(QtCore.QObject):
 
     @property
     def is_preview(self) -> bool:
-        """Whether what is in the view is refined on release, and may jump then."""
+        """Whether the displayed frame is refined on release and may change visibly."""
         return self._frame is not None and self._frame.is_preview
 
     @property
     def unsettled(self) -> str:
-        """What of the shape in the view was not solved to its end, in sentences."""
+        """Sentences about the parts of the displayed shape that did not converge."""
         return "" if self._frame is None else self._frame.unsettled
 
     def on_fault(self, text: str) -> None:
-        """Tells what went wrong."""
+        """Report an error."""
         self.fault = text
         self.failed.emit(text)
 
     def on_progress(self, task: str) -> None:
-        """Tells how far an exact answer is."""
+        """Report the progress of an exact answer."""
         self.settling.emit(task)
 
     def _goes_on(self, _fraction: float, task: str) -> bool:
-        """In the thread: whether an exact answer is still wanted."""
+        """Return whether an exact answer is still wanted; runs in the worker thread."""
         self._worker.tell(task)
         return self._worker.is_free
 
     def _compute(self, question):
-        """In the thread: a frame, the values of its colours, their legend, the milliseconds; or
-        how far a number may go, None if something else was asked meanwhile."""
+        """Return a frame, its values, their legend and the milliseconds, in the worker thread.
+
+        For a question about a range, it returns the range, or None if a newer question came.
+        """
         if isinstance(question, live_session.ReachQuestion):
             return self._live.reach(question, lambda: self._worker.is_free)
         start, valuer = time.perf_counter(), self._valuer
@@ -192,14 +200,14 @@ class LiveUpdate(QtCore.QObject):
         return frame, values, legend, 1000.0 * (time.perf_counter() - start)
 
     def _warn_of_learning(self) -> None:
-        """Once: frames go on without what was to be learnt, slower."""
+        """Warn once if the reduced model failed, which leaves frames slow."""
         text = self._live.learning_failure
         if text and text != self._warned:
             App.Console.PrintWarning(f"SheetMorph: frames stay slow in this drag: {text}\n")
         self._warned = text
 
     def _commit(self) -> None:
-        """Recomputes the document; what was solved in the thread is found there."""
+        """Recompute the document, which finds the solution of the thread."""
         if not self._pending.is_open:
             return  # an undo came before the answer
         start = time.perf_counter()
@@ -210,7 +218,7 @@ class LiveUpdate(QtCore.QObject):
             self.failed.emit(fault)
 
     def _recompute_regions(self) -> None:
-        """Lets expressions between handles follow; cheap, the parts are not among them."""
+        """Evaluate expressions between handles, which is cheap without the parts."""
         regions = model.regions(self._assembly)
         if any(region.ExpressionEngine for region in regions):
             self._assembly.Document.recompute(regions)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The handles of one morph while they are moved, and the macro lines that do the same."""
+"""The handles of one morph during a motion, and the equivalent macro lines."""
 
 from freecad.sheetmorph import api
 from freecad.sheetmorph.actions import call, name
@@ -11,30 +11,30 @@ from freecad.sheetmorph.tools.motion import Motion
 
 
 class MovedHandles:
-    """Which handles there are, which were moved, which were made by grabbing a point."""
+    """All handles, including those that moved or were created by grabbing a point."""
 
     def __init__(self, assembly, pending):
-        """``pending``: the editing.pending.Pending that all changes go through."""
+        """Start with the present handles; all changes go through `pending`, a Pending."""
         self.assembly, self._pending = assembly, pending
         self._centres = {}
         self.begin()
 
     def begin(self) -> None:
-        """Counts what is moved and made from here."""
+        """Count moved and created handles from the present state."""
         self._before = {handle.Name: motion_of(handle) for handle in self.all}
 
     @property
     def all(self) -> list:
-        """The handles there are now."""
+        """The present handles."""
         return [r for r in model.regions(self.assembly) if r.Role == "handle"]
 
     def move(self, handle, motion: Motion) -> None:
-        """Sets the motion of a handle."""
+        """Set the motion of a handle."""
         self._pending.change()
         put(handle, motion)
 
     def pivot(self, handle) -> tuple:
-        """Where a handle turns about at rest, (3,) mm; kept until ``look_again``."""
+        """Return the pivot of a handle at rest, (3,) mm, cached until `look_again`."""
         if not handle.PivotAtCentroid:
             return vector_of(handle, "Pivot")
         if handle.Name not in self._centres:
@@ -42,11 +42,11 @@ class MovedHandles:
         return self._centres[handle.Name]
 
     def look_again(self) -> None:
-        """A mesh may be another one, or elsewhere."""
+        """Clear the cache after a change of a mesh or placement."""
         self._centres = {}
 
     def at(self, grabbed):
-        """The handle that has a grabbed vertex, None if none."""
+        """Return the handle that contains a grabbed vertex, None without one."""
         for handle in self.all:
             is_here = handle.Part is not None and handle.Part.Name == grabbed.part
             if is_here and grabbed.vertex in model.vertices(handle):
@@ -54,7 +54,7 @@ class MovedHandles:
         return None
 
     def make(self, grabbed):
-        """A handle of one vertex that the sheet turns as it likes."""
+        """Create a handle of one vertex with free rotation."""
         self._pending.change()
         handle = self._new(grabbed)
         self._pending.remember_made(handle.Name, lambda: self._new(grabbed))
@@ -68,12 +68,12 @@ class MovedHandles:
         return handle
 
     def unmake(self, handle) -> None:
-        """Takes a handle back that was made."""
+        """Remove a handle that was created here."""
         self._pending.forget_made(handle.Name)
         api.remove(handle)
 
     def unmake_unmoved(self) -> None:
-        """Takes back what was grabbed but not moved."""
+        """Remove the created handles that have not moved."""
         for handle in self._made():
             if motion_of(handle).is_rest():
                 self.unmake(handle)
@@ -82,7 +82,7 @@ class MovedHandles:
         return [handle for handle in self.all if handle.Name not in self._before]
 
     def lines(self) -> list[str]:
-        """The calls of the API that make and move what was made and moved."""
+        """Return the API calls that create and move the handles."""
         lines = []
         for handle in self.all:
             if motion_of(handle) == self._before.get(handle.Name):
@@ -96,7 +96,7 @@ class MovedHandles:
 
 
 def made(assembly, handle) -> list[str]:
-    """The calls that make a handle of one vertex, named ``point``."""
+    """Return the API calls that create a handle of one vertex, named `point`."""
     vertex = repr(model.vertices(handle).tolist())
     arguments = (name(assembly), name(handle.Part), vertex, repr(handle.Label))
     return [
@@ -106,5 +106,5 @@ def made(assembly, handle) -> list[str]:
 
 
 def label_on(part) -> str:
-    """What a grabbed point is called."""
+    """Return the label of a grabbed point."""
     return f"Point on {part.Label}"

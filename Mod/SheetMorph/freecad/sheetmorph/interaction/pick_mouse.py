@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The mouse while a region is picked: hover, clicks, and figures drawn on the screen."""
+"""The mouse while a region is picked: hover, clicks and figures drawn on the screen."""
 
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.figure import Figure
@@ -11,10 +11,10 @@ from freecad.sheetmorph.tools.sentences import DrawnFigure
 
 
 class PickMouse(Listener):
-    """Lets the mouse act on a picker; what it does to the picker is told to a host.
+    """The link from the mouse to a picker, with a host that reacts.
 
-    The host has ``picked()``, called after every pick, ``accept`` and ``reject``, ``hover(ray)``
-    and ``click(ray)`` for what no picker takes, and ``turn_wheel(steps)`` for a brush.
+    The host has `picked()`, called after every pick, `accept` and `reject`. It has `hover(ray)` and
+    `click(ray)` for events without a picker or target, and `turn_wheel(steps)` for a brush.
     """
 
     def __init__(self, view, host):
@@ -26,20 +26,20 @@ class PickMouse(Listener):
         self._place = None
 
     def use(self, picker, seen) -> None:
-        """Acts on a RegionPicker that is shown in a PickView from now on; None: on none."""
+        """Act on a RegionPicker that a PickView shows, or on none."""
         self._end()
         self._picker, self._seen = picker, seen
         self._figure.show_outline(None)
 
     def remove(self) -> None:
-        """Gives the mouse back."""
+        """Release the mouse."""
         take_every_move(False)
         self._figure.remove()
         self._viewport.remove()
         self._picker = self._seen = self._host = None
 
     def on_move(self, pointer) -> None:
-        """Shows what a click would take."""
+        """Show the vertices that a click would pick."""
         self._place = pointer and pointer.place
         ray = None if pointer is None else Ray(pointer.origin, pointer.direction)
         if self._picker is None:
@@ -54,7 +54,7 @@ class PickMouse(Listener):
         self._host.hover(None if ray is None or len(aimed) or self._draws() else ray)
 
     def on_click(self, pointer) -> None:
-        """Picks what the mouse is over."""
+        """Pick the vertices under the mouse."""
         ray = Ray(pointer.origin, pointer.direction)
         if self._picker is None:
             self._host.click(ray)
@@ -68,7 +68,7 @@ class PickMouse(Listener):
             self._host.click(ray)
 
     def on_press(self, pointer) -> bool:
-        """A tool that draws claims the left button."""
+        """Claim the left button for a drawing tool."""
         if not self._draws():
             return False
         options = self._picker.options
@@ -79,13 +79,13 @@ class PickMouse(Listener):
         return True
 
     def on_drag(self, pointer) -> None:
-        """Goes on drawing; a brush shows at once what it takes."""
+        """Continue the figure; a brush shows its vertices immediately."""
         self._place = pointer.place
         if self._drawing is not None:
             self._go_on(self._drawing.go_to(pointer.place))
 
     def on_release(self, _pointer) -> None:
-        """Takes what is in the figure; an empty one changes nothing."""
+        """Pick the vertices in the figure; an empty one changes nothing."""
         if self._drawing is None:
             return
         if self._drawing.has_extent:
@@ -100,7 +100,7 @@ class PickMouse(Listener):
             self._seen.show_aimed(self._show_brush())
 
     def on_wheel(self, steps: float) -> bool:
-        """The size of the brush."""
+        """Change the size of the brush."""
         if not self._is_brush():
             return False
         self._host.turn_wheel(steps)
@@ -108,18 +108,18 @@ class PickMouse(Listener):
         return True
 
     def on_escape(self) -> None:
-        """Ends a figure that is being drawn, else is Cancel."""
+        """Discard the present figure, or cancel without one."""
         if self._drawing is not None:
             self._end()
         else:
             self._host.reject()
 
     def on_enter(self) -> None:
-        """OK."""
+        """Accept the panel."""
         self._host.accept()
 
     def _said(self, camera) -> dict:
-        """What was drawn, as a selector has it."""
+        """Return the drawn figure as a selector."""
         options = self._picker.options
         return DrawnFigure(
             options.what,
@@ -136,7 +136,7 @@ class PickMouse(Listener):
         return self._picker is not None and self._picker.options.what == figures.BRUSH
 
     def _show_brush(self):
-        """Draws the circle where the mouse is; returns what is in it."""
+        """Draw the circle of the brush; return the vertices in it."""
         if self._place is None:
             self._figure.show_outline(None)
             return NOTHING
@@ -150,7 +150,7 @@ class PickMouse(Listener):
         self._figure.show_outline(self._drawing.outline())
 
     def _end(self) -> None:
-        """Forgets the figure that is being drawn."""
+        """Discard the present figure."""
         take_every_move(False)
         self._drawing = None
         self._figure.show_outline(None)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The document objects of a morph and how to find one's way between them.
+"""The document objects of a morph, and functions to navigate between them.
 
-Assembly (a group) holds parts (results), regions, contacts, relations of form features and one
-hidden deformation. Dependencies run source meshes, regions, contacts and relations -> deformation
--> parts; the group and the links of regions and contacts to their parts are no dependencies, so
-there are no cycles.
+An assembly (a group) contains parts (results), regions, contacts, relations of form features and
+one hidden deformation. Dependencies run from source meshes, regions, contacts and relations to the
+deformation, and from there to the parts. The group and the links of regions and contacts to their
+parts are not dependencies, so there are no cycles.
 """
 
 from freecad.sheetmorph.objects.model import (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The assembly: the group a user sees, with what concerns all parts."""
+"""The assembly: the visible group, with the properties of all parts together."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ INPUTS += ("Operator", "Symmetry", "SymmetryPoint", "SymmetryNormal", "Refine", 
 
 
 class AssemblyProxy(ObjectProxy):
-    """Proxy of the group; it keeps the links of the hidden deformation in step with the group."""
+    """Proxy of the group; it keeps the links of the hidden deformation up to date."""
 
     Type = ASSEMBLY
     PROPERTIES = (
@@ -128,25 +128,25 @@ class AssemblyProxy(ObjectProxy):
     )
 
     def onChanged(self, obj, name: str) -> None:
-        """Pass on to the deformation what its results depend on."""
+        """Pass changes of relevant properties on to the deformation."""
         if name in INPUTS and is_settled(obj):
             follow_group(obj)
         elif name in INPUTS and obj.Document.Transacting:
             make_due(deformation_of(obj))
 
     def execute(self, _obj) -> None:
-        """Do nothing: a group has no result of its own."""
+        """Do nothing: a group has no result."""
 
 
 _PUT_OFF: ContextVar[set[tuple[str, str]] | None] = ContextVar("put off", default=None)
-"""Documents and names of the assemblies that `together` will look at; None outside of it."""
+"""Documents and names of the assemblies that `together` updates at its end; None outside of it."""
 
 
 @contextmanager
 def together() -> Iterator[None]:
-    """Let deformations follow at the end of this context all that came into groups and left them.
+    """Update the deformations once at the end of this context, for all changes of groups in it.
 
-    One by one, hundreds take a time that grows with their square. Nothing recomputes in it.
+    Single updates take quadratic time in the number of changes. Nothing must recompute inside.
     """
     if _PUT_OFF.get() is not None:
         yield
@@ -166,16 +166,16 @@ def together() -> Iterator[None]:
 
 
 def follow_group(assembly) -> None:
-    """Let the deformation of `assembly` depend on the regions, contacts, sources in the group.
+    """Make the deformation of `assembly` depend on regions, contacts and sources in the group.
 
-    The group itself cannot be a dependency, because it contains what depends on it.
+    The group cannot be a dependency, because it contains objects that depend on it.
     """
     put_off = _PUT_OFF.get()
     if put_off is not None:
         put_off.add((assembly.Document.Name, assembly.Name))
         return
     members: dict[str, list] = {}
-    for obj in assembly.Group:  # once: it may be long
+    for obj in assembly.Group:  # read once, because it may be long
         members.setdefault(kind(obj), []).append(obj)
     for deformation in members.get(DEFORMATION, [])[:1]:
         update_links(deformation, "Regions", members.get(REGION, []))
@@ -187,13 +187,13 @@ def follow_group(assembly) -> None:
 
 
 def update_links(obj, name: str, wanted: list) -> None:
-    """Set a list of links where it differs."""
+    """Set a list of links if it differs."""
     if list(getattr(obj, name)) != wanted:
         setattr(obj, name, wanted)
 
 
 def join_assembly(obj, part) -> None:
-    """Let an object that was copied and pasted belong to the morph of its part, None for none."""
+    """Add a pasted object to the morph of its part, which may be None."""
     if part is None or assembly_of(obj) is not None:
         return
     assembly = assembly_of(part)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A contact: where two parts are welded, bolted or glued, so that one follows the other."""
+"""A contact: a weld, bolt or adhesive joint of two parts, through which one follows the other."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ WARNING_DOC = "Why the contact opens or closes too far, and what to do; empty if
 
 
 class ContactProxy(MemberProxy):
-    """Proxy of a contact between vertices of two parts; which of them leads is found out."""
+    """Proxy of a contact between vertices of two parts; its direction is automatic."""
 
     Type = CONTACT
     PROPERTIES = (
@@ -49,5 +49,5 @@ class ContactProxy(MemberProxy):
     )
 
     def restore(self, obj) -> None:
-        """Join the morph of its first part."""
+        """Add the contact to the morph of its first part."""
         join_assembly(obj, obj.PartA)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A deck that parts were imported from, and the shells of one of its properties in such a part."""
+"""The deck of imported parts, and the shells of one of its properties in a part."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ JOINTS_DOC = (
 
 
 class DeckProxy(ObjectProxy):
-    """Proxy of a deck: the file with all that it includes, written again by Export Parts."""
+    """Proxy of a deck: the file with all its includes, which Export Parts writes again."""
 
     Type = DECK
     PROPERTIES = (
@@ -34,7 +34,7 @@ class DeckProxy(ObjectProxy):
     )
 
     def execute(self, _obj) -> None:
-        """Do nothing: a deck is only kept."""
+        """Do nothing: a deck is only stored."""
 
 
 class ShellsProxy(ObjectProxy):
@@ -51,13 +51,13 @@ class ShellsProxy(ObjectProxy):
     )
 
     def execute(self, _obj) -> None:
-        """Do nothing: they only tell."""
+        """Do nothing: these objects only display data."""
 
 
 def told_thickness(part) -> float:
-    """Return the thickness in mm that a deck tells of a part, the median of its elements; 0: none.
+    """Return the median shell thickness of a part from its deck, mm; 0 if there is none.
 
-    The same that the package takes where a recipe tells none.
+    The package uses the same value if a recipe has no thickness.
     """
     thicknesses = [number_of(shells, "Thickness") for shells in part.Shells]
     counts = [shells.Elements for shells in part.Shells]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The hidden object that solves once per recompute for all parts of an assembly."""
+"""The hidden object that solves all parts of an assembly once per recompute."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from freecad.sheetmorph.objects.proxy import Execution, ObjectProxy
 
 
 class DeformationProxy(ObjectProxy):
-    """Proxy of the deformation; results are kept in memory only, always from rest."""
+    """Proxy of the deformation; results are computed from rest and stay in memory only."""
 
     Type = DEFORMATION
     PROPERTIES = (
@@ -27,24 +27,24 @@ class DeformationProxy(ObjectProxy):
     _outcome: Any = None
 
     def __init__(self, obj):
-        """Make `obj` a deformation that hears of changes of its sources."""
+        """Make `obj` a deformation that is notified of changes of its sources."""
         super().__init__(obj)
         watcher.watch()
 
     def onDocumentRestored(self, obj) -> None:
-        """As a new one."""
+        """Watch the sources of a restored deformation."""
         super().onDocumentRestored(obj)
         watcher.watch()
 
     def cache(self):
-        """Return what solves and is kept between two recomputes; a restored proxy has none yet."""
+        """Return the solver cache, which persists between recomputes; create it if necessary."""
         if self._cache is None:
             self._cache = doors.new_solver()
         return self._cache
 
     @property
     def fault(self):
-        """What the last recompute could not do; None if it has not failed."""
+        """Fault of the last recompute, empty if it succeeded; None before the first one."""
         return self._outcome.failure if self._outcome is not None else None
 
     @property
@@ -55,10 +55,10 @@ class DeformationProxy(ObjectProxy):
     execute = Execution()
 
     def computed(self, obj) -> MorphError | None:
-        """Solve for all parts; return what cannot be solved, once for all of them.
+        """Solve all parts; return a single error for all of them, or None.
 
-        FreeCAD then leaves the parts, and what others have made of them, as they were; they are
-        due.
+        After an error FreeCAD leaves the parts and their dependants unchanged, so the parts are
+        touched.
         """
         self._outcome = self.cache().recomputed(assembly_of(obj))
         if self._outcome.failure:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Questions to the document objects of a morph; no proxy is imported here."""
+"""Queries of the document objects of a morph; this module imports no proxy."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from freecad.sheetmorph.objects.errors import Fault
 
 
 def assembly_of(obj):
-    """Return the assembly that `obj`, one of our objects, belongs to; None if none."""
+    """Return the assembly that contains `obj`, one of our objects, or None."""
     if kind(obj) == ASSEMBLY:
         return obj
     return next((parent for parent in obj.InList if is_member(obj, parent)), None)
 
 
 def is_member(obj, assembly) -> bool:
-    """Whether `obj`, which `assembly`, an object of any kind, links to, lies in its group.
+    """Return whether `obj` lies in the group `assembly`, an object of any kind that links to it.
 
-    A group has one link besides its members: to its primary part. Looking for an object in a large
-    group takes long.
+    Besides its members a group links to its primary part. The membership test is slow for a large
+    group, so only the primary needs it.
     """
     return kind(assembly) == ASSEMBLY and (obj != assembly.Primary or obj in assembly.Group)
 
@@ -44,7 +44,7 @@ class Members:
 
     @classmethod
     def of(cls, assembly) -> Members:
-        """Return the members of an assembly, or `assembly` if it is members already."""
+        """Return the members of an assembly, or `assembly` if it is a Members object already."""
         return assembly if isinstance(assembly, cls) else cls(assembly)
 
     def _of(self, wanted: str) -> list:
@@ -59,20 +59,20 @@ def parts(assembly) -> list:
 def regions(assembly, part=None) -> list:
     """Return the regions of an assembly, or those on one of its parts.
 
-    A region whose part was deleted belongs to none.
+    A region whose part was deleted belongs to no part.
     """
     mine = [obj for obj in assembly.Group if kind(obj) == REGION]
     return [obj for obj in mine if part is None or obj.Part == part]
 
 
 def contacts(assembly, part=None) -> list:
-    """Return the contacts of an assembly, or those that touch one of its parts."""
+    """Return the contacts of an assembly, or those of one of its parts."""
     mine = [obj for obj in assembly.Group if kind(obj) == CONTACT]
     return [obj for obj in mine if part is None or part in (obj.PartA, obj.PartB)]
 
 
 def relations(assembly, feature=None) -> list:
-    """Return the groups and pairs of form features of an assembly, or those with one feature."""
+    """Return the groups and pairs of form features, or those with one feature."""
     mine = [obj for obj in assembly.Group if kind(obj) == RELATION]
     return [obj for obj in mine if feature is None or feature in obj.Features]
 
@@ -93,12 +93,12 @@ def studies(assembly) -> list:
 
 
 def deformation_of(assembly):
-    """Return the hidden object that solves for all parts of `assembly`; None if it is missing."""
+    """Return the hidden deformation object of `assembly`, or None."""
     return next((obj for obj in assembly.Group if kind(obj) == DEFORMATION), None)
 
 
 def failure_of(assembly) -> Fault:
-    """Return what the last recompute could not do; empty if all went well."""
+    """Return the fault of the last recompute, empty if it succeeded."""
     concerned = [obj for obj in (deformation_of(assembly), *parts(assembly)) if obj is not None]
     failed = [obj for obj in concerned if "Invalid" in obj.State]
     if not failed:
@@ -108,7 +108,7 @@ def failure_of(assembly) -> Fault:
 
 
 def warnings_of(assembly) -> list[Fault]:
-    """Return the warnings of the last recompute; of a reopened document without their objects."""
+    """Return the warnings of the last recompute; in a reopened document they have no objects."""
     deformation = deformation_of(assembly)
     known = deformation.Proxy.warnings if deformation is not None else ()
     return list(known or map(Fault, assembly.Warnings))
@@ -125,40 +125,45 @@ def contact_vertices(contact, side: str) -> np.ndarray:
 
 
 def set_vertices(region, ids: Iterable[int], where: str = "") -> None:
-    """Store the vertex indices of a region, sorted and without repetition, and what it says it is.
+    """Store the vertex indices of a region, sorted and unique, and its selector.
 
-    `where`: a selector as JSON, empty for vertices without one. Vertices that the region already
-    has change nothing, so no shape is recomputed.
+    `where` is a selector as JSON, or empty. Equal vertices change nothing, so that no shape is
+    recomputed.
     """
     set_where_new(region, "Vertices", to_numbers(ids))
     set_where_new(region, "Where", where)
 
 
 def set_contact_vertices(contact, side: str, ids: Iterable[int], where: str = "") -> None:
-    """Store the vertex indices of side "a" or "b", sorted and without repetition, and what it says
-    it is, as `set_vertices` does."""
+    """Store the vertex indices and the selector of side "a" or "b"; see `set_vertices`."""
     set_where_new(contact, f"Vertices{side.upper()}", to_numbers(ids))
     set_where_new(contact, f"Where{side.upper()}", where)
 
 
 def set_where_new(obj, name: str, value) -> None:
-    """Set a property only if it differs: FreeCAD counts every assignment as a change, recomputes
-    the objects that depend on it, and adds it to the undo step."""
+    """Set a property only if it differs.
+
+    FreeCAD treats every assignment as a change, recomputes the dependants and adds it to the undo
+    step.
+    """
     if getattr(obj, name) != value:
         setattr(obj, name, value)
 
 
 def to_numbers(ids: Iterable[int]) -> list[float]:
-    """Return indices as a document keeps them, sorted and without repetition.
+    """Return sorted unique indices in the form stored by a document.
 
-    A list of floats is saved in binary; a list of integers would be XML, slow from 100,000 on.
+    FreeCAD saves a list of floats in binary form, but a list of integers as XML, which is slow
+    above 100,000.
     """
     return np.unique(np.asarray(list(ids), dtype=np.int64)).astype(float).tolist()
 
 
 def to_ids(numbers: list[float]) -> np.ndarray:
-    """Return indices (k,) int64 from what `to_numbers` made of them; -1 for what cannot be one, as
-    in a damaged document."""
+    """Return indices (k,) int64 from the result of `to_numbers`.
+
+    Invalid numbers, as in a damaged document, become -1.
+    """
     found = np.asarray(numbers, dtype=float)
     is_index = (found >= 0.0) & (found < 2.0**53)
     return np.where(is_index, found, -1.0).astype(np.int64)

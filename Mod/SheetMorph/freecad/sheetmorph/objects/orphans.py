@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Regions, contacts, relations, poses and studies belong to a morph; a copy may lose it."""
+"""Detection of regions, contacts, relations, poses and studies outside a morph, as after a copy."""
 
 from __future__ import annotations
 
@@ -16,8 +16,9 @@ PARTS = {REGION: ("Part",), CONTACT: ("PartA", "PartB")}
 
 
 def fault_of(obj) -> str:
-    """Return why an object does nothing, one sentence; empty if it is in a morph."""
-    is_used = any(kind(user) == DEFORMATION for user in obj.InList)  # which says what is wrong
+    """Return why an object has no effect, in one sentence; empty if it is in a morph."""
+    # the deformation reports its own faults
+    is_used = any(kind(user) == DEFORMATION for user in obj.InList)
     if is_used or assembly_of(obj) is not None:
         return ""
     what = f"{WORDS[kind(obj)]} '{obj.Label}'"
@@ -30,18 +31,17 @@ def fault_of(obj) -> str:
 
 
 class MemberProxy(ObjectProxy):
-    """Proxy of an object that only does something in a morph. Without one, FreeCAD marks it in the
-    tree."""
+    """Proxy of an object that has an effect only in a morph; elsewhere FreeCAD marks it."""
 
     execute = Execution()
 
     def computed(self, obj) -> MorphError | None:
-        """Return what is wrong with an object in no morph. Else the morph reads it."""
+        """Return the fault of an object outside a morph; inside, the morph reads the object."""
         fault = fault_of(obj)
         return MorphError(fault, obj) if fault else None
 
     def onDocumentRestored(self, obj) -> None:
-        """Bring an object up to date, and report at once if it was pasted without its morph."""
+        """Update an object, and warn at once if it was pasted without its morph."""
         super().onDocumentRestored(obj)
         self.restore(obj)
         fault = fault_of(obj)
@@ -50,4 +50,4 @@ class MemberProxy(ObjectProxy):
             obj.touch()
 
     def restore(self, obj) -> None:
-        """Do what else an object of a document needs that was opened or pasted."""
+        """Do additional work for an opened or pasted object."""

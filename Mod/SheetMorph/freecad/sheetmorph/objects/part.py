@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A part: the deformed mesh of a source mesh that is never changed."""
+"""A part: the deformed mesh of a source mesh that never changes."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ SHEET_DOC = (
     "hundredth of the size"
 )
 DECISIVE = ("Mode", "Thin", "Thickness", "SheetThickness", "Poisson")
-"""Properties that the deformation depends on."""
+"""Properties on which the deformation depends."""
 
 
 class PartProxy(ObjectProxy):
@@ -73,7 +73,7 @@ class PartProxy(ObjectProxy):
         show_thickness(obj)
 
     def onChanged(self, obj, name: str) -> None:
-        """Let a change reach the deformation, which is no dependant of its parts."""
+        """Pass a change on to the deformation, which does not depend on its parts."""
         if name == "Thin":
             show_thickness(obj)
         if name in DECISIVE and "Deformation" in obj.PropertiesList and not obj.Document.Restoring:
@@ -83,7 +83,7 @@ class PartProxy(ObjectProxy):
     fault: Fault | None = None
 
     def computed(self, obj) -> MorphError | None:
-        """Take the deformed mesh; on an error the last mesh stays and FreeCAD shows the reason."""
+        """Take the deformed mesh; after an error the last mesh stays."""
         self.fault = None
         try:
             obj.Mesh = deformed_mesh(obj)
@@ -107,11 +107,11 @@ def deformed_mesh(part):
 
 
 def show_thickness(obj) -> None:
-    """Show the thickness where it is given."""
+    """Show the thickness property only if the thickness is given."""
     if "Thickness" in obj.PropertiesList:
         obj.setEditorMode("Thickness", SHOWN if obj.Thin == THIN_GIVEN else HIDDEN)
 
 
 def protect_placement(obj) -> None:
-    """Show the placement without letting it be edited: it follows the source."""
+    """Make the placement read-only, because it follows the source."""
     obj.setEditorMode("Placement", READ_ONLY)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A pose: the motions of all handles and the sizes of form features under a name."""
+"""A pose: the motions of all handles and the sizes of form features, under a name."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from freecad.sheetmorph.tools.poses import Pose, from_text, to_text
 
 
 class PoseProxy(MemberProxy):
-    """Proxy of a pose; nothing depends on it."""
+    """Proxy of a pose; no object depends on it."""
 
     Type = POSE
     PROPERTIES = (
@@ -34,15 +34,15 @@ def kept_motions(pose) -> Pose:
 
 
 def kept_sizes(pose) -> dict[str, float]:
-    """Return the sizes of form features by `region.Name`, 0 as in the mesh; old poses have none."""
+    """Return the sizes of form features by `region.Name`, 0 for the mesh; old poses have none."""
     return _by_present_name(pose, json.loads(pose.Sizes or "{}"))
 
 
 def _by_present_name(pose, kept: dict) -> dict:
-    """Return what is kept under the names that the regions have now.
+    """Return the stored data under the current names of the regions.
 
-    In a copy the regions have other names: there the links tell which they are. When a region is
-    deleted its link vanishes: then the names do.
+    In a copy the regions have other names, and the links identify them. A deleted region loses its
+    link; then the names identify the others.
     """
     names = sorted({*from_text(pose.Motions), *json.loads(pose.Sizes or "{}")})
     links = [region for region in pose.Regions if region is not None]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Properties as tables: applied when an object is made and again when a document is opened.
+"""Tables of properties, applied to new objects and again when a document is opened.
 
-A document of an earlier version so gets the properties it lacks.
+Objects of an older document thus get their missing properties.
 """
 
 from __future__ import annotations
@@ -16,15 +16,15 @@ SHOWN, READ_ONLY, HIDDEN = 0, 1, 2
 
 @dataclass(frozen=True)
 class Property:
-    """One row: FreeCAD's type without `App::Property`, name, group, tooltip, default, mode."""
+    """A property: FreeCAD's type without `App::Property`, name, group, tooltip, default, mode."""
 
     type: str
     name: str
     group: str
     doc: str
-    default: Any = None  # for an Enumeration the list of values, the first is the default
+    default: Any = None  # for an Enumeration its values, the first of which is the default
     mode: int = SHOWN
-    is_output: bool = False  # a change does not ask for a recompute
+    is_output: bool = False  # a change does not require a recompute
 
 
 SCHEMA_VERSION = Property(
@@ -35,21 +35,21 @@ SCHEMA_VERSION = Property(
 def number_of(obj, name: str) -> float:
     """Return a length, mm, or an angle, degrees, of an object.
 
-    Read as an attribute, it would stay in memory for ever: FreeCAD 0.20 counts its references one
-    too high.
+    Reading it as an attribute would leak memory, because FreeCAD 0.20 counts its references one too
+    high.
     """
     return float(obj.getPropertyByName(name).Value)
 
 
 def vector_of(obj, name: str) -> tuple[float, float, float]:
-    """Return a vector of an object; not as an attribute, as in `number_of`."""
+    """Return a vector of an object, without attribute access as in `number_of`."""
     return tuple(obj.getPropertyByName(name))
 
 
 def apply_properties(obj, table: Sequence[Property]) -> None:
-    """Add the properties of `table` that `obj` lacks, and set the editor modes of all.
+    """Add the missing properties of `table` to `obj`, and set all editor modes.
 
-    A choice of an earlier version keeps its value and gets the values it lacks.
+    An enumeration of an older version keeps its value and gets the new choices.
     """
     for row in table:
         if row.name not in obj.PropertiesList:

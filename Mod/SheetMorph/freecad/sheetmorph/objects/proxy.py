@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the proxies of all our document objects have in common."""
+"""The common base of the proxies of our document objects."""
 
 from __future__ import annotations
 
@@ -10,8 +10,10 @@ from freecad.sheetmorph.objects.properties import SCHEMA_VERSION, Property, appl
 
 
 class Execution:
-    """The `execute` that FreeCAD calls: the proxy's method `computed`, which returns a MorphError
-    or None. FreeCAD reports the error as one sentence, without a traceback."""
+    """The `execute` of a proxy: it calls `computed`, which returns a MorphError or None.
+
+    FreeCAD then reports the error as one sentence without a traceback.
+    """
 
     def __get__(self, proxy, _owner=None):
         """Return the function for one proxy."""
@@ -19,19 +21,19 @@ class Execution:
 
 
 class ObjectProxy:
-    """Data lives in properties; a proxy holds nothing that is saved."""
+    """Base class of the proxies; all saved data is in properties, none in the proxy."""
 
     Type = ""
     PROPERTIES: Sequence[Property] = ()
 
     def __init__(self, obj):
-        """Make `obj` one of ours: properties, proxy, and a view provider where there is a GUI."""
+        """Give `obj` its properties, its proxy and, with a GUI, its view provider."""
         obj.Proxy = self
         apply_properties(obj, [SCHEMA_VERSION, *self.PROPERTIES])
         doors.give_looks(obj)
 
     def onDocumentRestored(self, obj) -> None:
-        """Give an object of an earlier version the properties it lacks."""
+        """Add the properties that an object of an older version lacks."""
         apply_properties(obj, [SCHEMA_VERSION, *self.PROPERTIES])
 
     def dumps(self) -> None:
@@ -48,10 +50,10 @@ class ObjectProxy:
 
 
 def is_settled(obj) -> bool:
-    """Whether a change comes from a user or a script, not from opening, copying or undo.
+    """Return whether a change comes from a user or a script, not from opening, copying or undo.
 
-    Then, and only then, other objects may be changed in consequence: while a document is opened
-    or a step undone FreeCAD brings back those changes itself.
+    Only then may other objects be changed as a consequence, because FreeCAD restores their changes
+    when it opens a document or undoes a step.
     """
     document = obj.Document
     busy = document.Restoring or document.Importing or document.Transacting
@@ -59,10 +61,10 @@ def is_settled(obj) -> bool:
 
 
 def make_due(deformation) -> None:
-    """Ask for a recompute of a deformation, None for none.
+    """Request a recompute of a deformation, which may be None.
 
-    What is no dependency of it does so itself, in undo too: FreeCAD brings back the value of a
-    property then, but tells nobody else that it changed.
+    Objects that are not its dependencies call this, also during undo. FreeCAD then restores
+    property values without notifying other objects.
     """
     if deformation is not None:
         deformation.touch()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A region: vertices of one part that are fixed, moved by a handle, rigid, or followers."""
+"""A region: fixed vertices of one part, a handle, a form feature, or a follower."""
 
 from __future__ import annotations
 
@@ -83,11 +83,11 @@ FEATURE = (
 
 
 SHOWING = ("Role", "PivotAtCentroid", "FreeRotation", "Rotation", "Motion")
-"""Properties on which it depends which others are shown."""
+"""Properties that determine which others are shown."""
 
 
 class RegionProxy(MemberProxy):
-    """Proxy of a region; all properties exist whatever the role, those of the role are shown."""
+    """Proxy of a region; it has the properties of all roles and shows those of its own role."""
 
     Type = REGION
     PROPERTIES = COMMON + MOTION + FEATURE
@@ -97,24 +97,24 @@ class RegionProxy(MemberProxy):
         show_properties_of_role(obj)
 
     def restore(self, obj) -> None:
-        """Offer what a newer version has, and join the morph of its part."""
+        """Add the choices of newer versions, and add the region to the morph of its part."""
         offer_all_rotations(obj)
         show_properties_of_role(obj)
         join_assembly(obj, obj.Part)
 
     def onChanged(self, obj, name: str) -> None:
-        """Follow a change of role or of the kind of pivot in the property editor."""
+        """Update the property editor after a change of role, pivot, rotation or motion."""
         if name in SHOWING and is_complete(obj):
             show_properties_of_role(obj)
 
 
 def is_complete(obj) -> bool:
-    """Whether all properties have been added; changes are announced before."""
+    """Return whether all properties exist; FreeCAD reports changes before that."""
     return RegionProxy.PROPERTIES[-1].name in obj.PropertiesList
 
 
 def show_properties_of_role(obj) -> None:
-    """Hide the properties that mean nothing for the role of the region."""
+    """Hide the properties without meaning for the role of the region."""
     is_handle, is_feature = obj.Role == HANDLE, obj.Role == FORM_FEATURE
     for row in MOTION:
         obj.setEditorMode(row.name, SHOWN if is_handle else HIDDEN)
@@ -135,7 +135,7 @@ def show_properties_of_role(obj) -> None:
 
 
 def offer_all_rotations(obj) -> None:
-    """Let a region of an earlier version choose all rotations; what it has stays."""
+    """Add the missing rotation choices to a region of an older version; its value stays."""
     if obj.getEnumerationsOfProperty("Rotation") != ROTATIONS:
         chosen = obj.Rotation
         obj.Rotation = ROTATIONS
@@ -143,7 +143,7 @@ def offer_all_rotations(obj) -> None:
 
 
 def motion_of(region) -> Motion:
-    """Return the motion of a handle, or the rotation of a form feature as one."""
+    """Return the motion of a handle, or the rotation of a form feature as a motion."""
     if region.Role == FORM_FEATURE:
         return Motion(
             axis=vector_of(region, "RotationAxis"), angle=number_of(region, "RotationAngle")
@@ -154,7 +154,7 @@ def motion_of(region) -> Motion:
 
 
 def as_told(region, motion: Motion) -> Motion:
-    """Return a motion of a region with what the kernel is told of it alone."""
+    """Return the part of a region's motion that the kernel needs."""
     if region.Role == FORM_FEATURE:
         return replace(motion, translation=None, pivot=None)
     return replace(motion, angle=0.0) if region.FreeRotation else motion

@@ -16,7 +16,7 @@ RELATION_DOC = (
 
 
 class RelationProxy(MemberProxy):
-    """Proxy of a relation; it is used as long as all its form features exist."""
+    """Proxy of a relation, which applies while all its form features exist."""
 
     Type = RELATION
     PROPERTIES = (

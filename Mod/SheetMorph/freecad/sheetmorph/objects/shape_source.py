@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a part remembers of the shape of the document that it was meshed from, and whether that is
-another one by now."""
+"""The document shape from which a part was meshed, and detection of its changes."""
 
 from __future__ import annotations
 
@@ -11,38 +10,40 @@ import numpy as np
 
 from freecad.sheetmorph.kinds import PART, kind
 
-# Of the size of a shape: what differs by less is rounding of FreeCAD's recompute.
+# Share of the shape size; smaller differences are rounding in FreeCAD's recompute.
 _SAME = 1e-9
 
 
 def remember(part, source, how: dict) -> None:
-    """Let a part know its source, and `how` that was read: number, of, mesh, placement."""
+    """Store the source of a part, and in `how` the way it was read: number, of, mesh, placement."""
     part.ShapeSource = source
     part.ShapeRead = json.dumps({**how, "look": look_of(source.Shape)})
     part.SourceChanged = False
 
 
 def how_read(part) -> dict:
-    """Return what `remember` was told; empty for a part that was made from no shape."""
+    """Return the data of `remember`; empty for a part without a source shape."""
     return json.loads(part.ShapeRead) if part.ShapeRead else {}
 
 
 def look_of(shape) -> list[float]:
-    """Return numbers that tell shapes apart wherever they stand: counts, area, moments of the
-    vertices; none of an empty shape."""
+    """Return numbers that identify a shape independent of its placement; none for an empty shape.
+
+    These are counts, area and moments of the vertices.
+    """
     if shape.isNull():
         return []
     local = shape.copy()
     local.Placement = FreeCAD.Placement()
     points = np.array([vertex.Point for vertex in local.Vertexes]).reshape(-1, 3)
-    about = np.vstack([points, np.zeros((1, 3))])  # a sphere has no moments else
+    about = np.vstack([points, np.zeros((1, 3))])  # a sphere would otherwise have no moments
     moments = [about.mean(axis=0), (about**2).mean(axis=0), np.prod(about[:, :2], axis=1).mean()]
     numbers = np.hstack([local.Area, *moments])
     return [len(local.Faces), len(local.Edges), *numbers.tolist()]
 
 
 def is_another(part) -> bool:
-    """Whether the shape of a part's source looks otherwise than when it was read."""
+    """Return whether the source shape of a part changed since it was read."""
     known, now = np.array(how_read(part)["look"]), np.array(look_of(part.ShapeSource.Shape))
     if known.shape != now.shape:
         return True
@@ -50,10 +51,10 @@ def is_another(part) -> bool:
 
 
 def note_change(source) -> None:
-    """Note in the parts of a shape whether it is another one now, and say so once."""
+    """Record in the parts of a shape whether it changed, and print this once."""
     document = source.Document
     if document.Restoring or document.Transacting:
-        return  # then FreeCAD brings back what was noted
+        return  # FreeCAD restores the record itself
     for part in parts_of(source):
         changed = is_another(part)
         if changed and not part.SourceChanged:

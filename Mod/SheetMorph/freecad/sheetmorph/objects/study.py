@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A study: which numbers of a morph change between which others, and what came of it."""
+"""A study: the varied numbers of a morph with their ranges, and the results."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ FOLDER_DOC = "Where recipe, study and variants are written; empty: only the tabl
 
 
 class StudyProxy(MemberProxy):
-    """Proxy of a study; nothing depends on it."""
+    """Proxy of a study; no object depends on it."""
 
     Type = STUDY
     PROPERTIES = (
@@ -34,16 +34,16 @@ class StudyProxy(MemberProxy):
 
 
 def keep_parameters(study, parameters: list[Parameter]) -> None:
-    """Store parameters, and links to the objects whose numbers they are."""
+    """Store parameters, and links to the objects that own them."""
     study.Parameters = studies.to_text(parameters)
     study.Owners = [study.Document.getObject(name) for name in studies.owners(parameters)]
 
 
 def kept_parameters(study) -> list[Parameter]:
-    """Return the parameters whose objects are still there.
+    """Return the parameters whose objects still exist.
 
-    In a copy the objects have other names: there the links tell which they are. When one is
-    deleted its link vanishes: then the names do.
+    In a copy the objects have other names, and the links identify them. A deleted object loses its
+    link; then the names identify the others.
     """
     kept = studies.from_text(study.Parameters)
     names = studies.owners(kept)
@@ -54,5 +54,5 @@ def kept_parameters(study) -> list[Parameter]:
 
 
 def kept_results(study) -> dict:
-    """Return the table as summary.json of a study has it, empty before the first run."""
+    """Return the table in the form of a study's summary.json, empty before the first run."""
     return json.loads(study.Results or "{}")

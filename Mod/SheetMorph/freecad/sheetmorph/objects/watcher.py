@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Morphs follow what FreeCAD does not tell them of: changed source meshes, deletions in no step."""
+"""A document observer for changes that FreeCAD does not report to morphs."""
 
 from functools import lru_cache
 
@@ -10,17 +10,16 @@ from freecad.sheetmorph.objects import shape_source
 
 
 class SourceWatcher:
-    """Document observer that makes morphs due whose sources look different, and tells when the
-    shape that a part was made from was edited.
+    """Document observer that touches morphs with changed sources and reports edited shapes.
 
-    Two changes go unnoticed otherwise: FreeCAD counts a mesh as an output, so an edited mesh
-    asks for no recompute; and a container, such as App::Part, moves what is in it without a
-    word. A link to the container would help, but would make a cycle as soon as somebody drags
-    the morph into the same container.
+    Two changes would otherwise go unnoticed. FreeCAD treats a mesh as an output, so that an edited
+    mesh requests no recompute. A container, such as App::Part, moves its content without
+    notification. A link to the container would create a cycle as soon as the user drags the morph
+    into the same container.
     """
 
     def slotChangedObject(self, obj, name: str) -> None:
-        """FreeCAD calls this after every change of a property."""
+        """Handle the change of a property."""
         if name == "Mesh":
             touch_deformations_of(obj)
         elif name == "Shape":
@@ -31,10 +30,11 @@ class SourceWatcher:
                     touch_deformations_of(inner)
 
     def slotDeletedObject(self, obj) -> None:
-        """FreeCAD calls this before an object goes.
+        """Handle an object before its deletion.
 
-        What goes in no undo step, as by a line of a macro, is gone for good, but the groups of
-        earlier steps still hold it: FreeCAD would die of the next undo. So those steps go too.
+        A deletion outside an undo step, as by a line of a macro, is final. But groups in earlier
+        steps still contain the object, and FreeCAD would crash at the next undo. Therefore those
+        steps are cleared.
         """
         document = obj.Document
         is_in_step = document.HasPendingTransaction or document.Transacting
@@ -44,17 +44,17 @@ class SourceWatcher:
 
 @lru_cache(maxsize=1)
 def watch() -> None:
-    """Begin to watch: called by every morph, so that nobody pays for it who has none."""
+    """Start the observer with the first morph, so that other documents have no overhead."""
     FreeCAD.addDocumentObserver(SourceWatcher())
 
 
 def is_watching() -> bool:
-    """Whether there has been a morph since the program began."""
+    """Return whether there was a morph since the program started."""
     return watch.cache_info().currsize > 0
 
 
 def touch_deformations_of(source) -> None:
-    """Make the deformations due that use this mesh at rest."""
+    """Touch the deformations that use this mesh at rest."""
     if source.Document.Restoring:
         return
     for user in source.InList:

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panels: widgets and what they mean; no geometry and no Coin."""
+"""Task panels: widgets and their meaning, without geometry and Coin."""

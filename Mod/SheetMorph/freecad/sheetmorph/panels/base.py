@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the task panels share."""
+"""The common base of task panels."""
 
 import FreeCADGui as Gui
 
@@ -18,19 +18,20 @@ LEGEND = {
     "follower": QT_TRANSLATE_NOOP("SheetMorph_panels", "Follower"),
 }
 WIDTH = 340  # px at which a panel is readable
-FAULT_STYLE = "color: #8f1d1d; background: #fde7e7; padding: 3px; border-radius: 3px;"  # any theme
+# on any theme
+FAULT_STYLE = "color: #8f1d1d; background: #fde7e7; padding: 3px; border-radius: 3px;"
 MARGINS = 110  # px of the task view around a panel, with its scroll bar
 
 
 class Panel:
-    """A task panel with OK and Cancel; subclasses give ``keep`` and hold widgets.
+    """A task panel with OK and Cancel; subclasses define `keep` and the widgets.
 
-    What it shows and changes belongs to its editing session, and however the panel closes, the
-    session ends; however the session ends, the panel closes.
+    Its editing session owns what the panel shows and changes. However the panel closes, the session
+    ends; however the session ends, the panel closes.
     """
 
     width = WIDTH
-    lines = 3  # of text that the strip at the top has room for
+    lines = 3  # of text in the strip at the top
 
     def __init__(self, session, widgets: str, icon: str, title: str):
         self.session = session
@@ -47,9 +48,9 @@ class Panel:
 
     @classmethod
     def opened(cls, session, *arguments):
-        """Shows a new panel in a session and returns it; if that fails the session ends.
+        """Show a new panel in a session and return it; end the session if that fails.
 
-        None if it has ended already: what a panel looks for may take long, with events in between.
+        Returns None if the session has ended already, because a slow search handles events.
         """
         try:
             panel = cls(session, *arguments)
@@ -64,72 +65,72 @@ class Panel:
 
     @property
     def form(self):
-        """The widgets; None as soon as the panel is closed."""
+        """The widgets, None as soon as the panel is closed."""
         return self._form
 
     @form.setter
     def form(self, form) -> None:
-        """FreeCAD takes the form away, whoever closes the panel, before it deletes the widgets."""
+        """Release the widgets; FreeCAD sets the form to None before it deletes them."""
         taken, self._form = self._form, form
         if taken is not None and form is None:
             self.session.end()
             forget(taken)
 
     def present(self) -> None:
-        """Shows the panel, in a task view wide enough to read it.
+        """Show the panel, in a task view wide enough to read it.
 
-        Where the selection plays no role its colour would hide the others: it is put aside.
+        Where the selection has no meaning, its colour would hide other colours, so it is put aside.
         """
         if not self.isAllowedAlterSelection():
             self.session.put_selection_aside()
         if hasattr(self.session, "document"):
             finishing().hold(self.session)
-            self.session.over.connect(self._release)  # Qt would keep a function for ever
+            self.session.over.connect(self._release)  # Qt would keep a plain function for ever
         self.session.ending.connect(self._fade)
         self.session.over.connect(self._close)
         Gui.Control.showDialog(self)
         QtCore.QTimer.singleShot(0, self._widen)
 
     def getStandardButtons(self) -> int:
-        """OK and Cancel."""
+        """Return OK and Cancel."""
         buttons = QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel
         return number(buttons)
 
     def isAllowedAlterSelection(self) -> bool:
-        """The selection plays no role while a panel is open."""
+        """Return False, because the selection has no meaning while a panel is open."""
         return False
 
     def isAllowedAlterDocument(self) -> bool:
-        """Other commands would end up in the panel's transaction."""
+        """Return False, because other commands would join the panel's transaction."""
         return False
 
     def isAllowedAlterView(self) -> bool:
-        """The user may turn and zoom."""
+        """Return True, so that the user can turn and zoom."""
         return True
 
     def accept(self) -> bool:
-        """OK: the panel closes if what was done can be kept."""
+        """Handle OK: close the panel if `keep` succeeds."""
         if not self.session.is_over and not self.keep():
             return False
         self.session.end()
         return True
 
     def reject(self) -> bool:
-        """Cancel: what is not kept is taken back."""
+        """Handle Cancel: end the session, which undoes pending changes."""
         self.session.end()
         return True
 
     def keep(self) -> bool:
-        """Brings what was done into the document; False: something is missing, and is told."""
+        """Store the result in the document; return False after reporting what is missing."""
         return True
 
     def _fade(self) -> None:
-        """Nothing can be typed into what is about to go."""
+        """Disable the widgets that are about to vanish."""
         if self.form is not None:
             self.form.setEnabled(False)
 
     def _release(self) -> None:
-        """Shapes may come into the document again."""
+        """Allow new shapes in the document again."""
         finishing().release(self.session)
 
     def _close(self) -> None:
@@ -137,7 +138,7 @@ class Panel:
             Gui.Control.closeDialog()
 
     def _widen(self) -> None:
-        """Makes the dock around the panel wide enough; a wider one stays as it is."""
+        """Widen the dock around the panel if it is too narrow."""
         for dock in Gui.getMainWindow().findChildren(QtWidgets.QDockWidget):
             if self.form and dock.isAncestorOf(self.form):
                 wanted = max(self.width, self.form.minimumSizeHint().width() + MARGINS)
@@ -145,26 +146,26 @@ class Panel:
 
 
 def say(label, text: str, is_error: bool = False) -> None:
-    """Shows a sentence in a label, errors on red; an empty one takes no room."""
+    """Show a sentence in a label, an error on red; an empty one hides the label."""
     label.setText(text)
     label.setStyleSheet(FAULT_STYLE if is_error else "")
     label.setVisible(bool(text))
 
 
 def listed(texts: list[str]) -> str:
-    """Several sentences below each other, a dot before each."""
+    """Return several sentences as a list with bullets."""
     return "\n".join(texts) if len(texts) < 2 else "\n".join(f"• {text}" for text in texts)
 
 
 def vertices_said(count: int) -> str:
-    """How many vertices are picked."""
+    """Return a number of vertices as text."""
     if count == 1:
         return translate("SheetMorph_panels", "1 vertex")
     return translate("SheetMorph_panels", "{0} vertices").format(count)
 
 
 def legend(active: str) -> str:
-    """The colours of the roles as rich text, the active role in bold."""
+    """Return the colours of the roles as rich text, the active role in bold."""
     chips = []
     for role, name in LEGEND.items():
         if role == "follower" and role != active:
@@ -176,5 +177,5 @@ def legend(active: str) -> str:
 
 
 def chip(colour) -> str:
-    """A little square in a colour as rich text."""
+    """Return a small coloured square as rich text."""
     return f'<span style="color:{colours.css(colour)}">&#9632;</span>'

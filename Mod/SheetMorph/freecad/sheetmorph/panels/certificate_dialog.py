@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether what was written holds, and the page that proves it."""
+"""The dialog with the result of a certificate, and a button that opens its page."""
 
 import json
 from html import escape
@@ -7,14 +7,14 @@ from pathlib import Path
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, translate
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, connect, translate
 
 PASSED, FAILED = "#0f8a5f", "#c4231f"
 SHOWN = 12
 
 
 def show(folder: str) -> None:
-    """Shows what the certificate in a folder says; Open Page shows all of it in the browser."""
+    """Show the certificate in a folder; Open Page shows all of it in the browser."""
     certificate = json.loads((Path(folder) / "certificate.json").read_text("utf-8"))
     dialog = QtWidgets.QDialog(Gui.getMainWindow())
     dialog.setObjectName("SheetMorphCertificate")
@@ -29,8 +29,8 @@ def show(folder: str) -> None:
     page = QtCore.QUrl.fromLocalFile(str(Path(folder) / "certificate.html"))
     label = translate("SheetMorph_panels", "Open Page")
     opened = buttons.addButton(label, QtWidgets.QDialogButtonBox.ActionRole)
-    opened.clicked.connect(lambda: QtGui.QDesktopServices.openUrl(page))
-    buttons.rejected.connect(dialog.reject)
+    connect(opened, "clicked()", lambda: QtGui.QDesktopServices.openUrl(page))
+    connect(buttons, "rejected()", dialog.reject)
     column = QtWidgets.QVBoxLayout(dialog)
     column.addWidget(text)
     column.addWidget(buttons)
@@ -38,7 +38,7 @@ def show(folder: str) -> None:
 
 
 def summary(certificate: dict, folder: str) -> str:
-    """What holds and what does not, as rich text."""
+    """Return the result and the failed criteria as rich text."""
     passed, failures = certificate["passed"], certificate["failures"]
     word = (
         translate("SheetMorph_panels", "Certified")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel in which a contact between two parts is marked."""
+"""The panel that marks a contact between two parts."""
 
 from freecad.sheetmorph import actions, api
 from freecad.sheetmorph.bridge import seen, selecting
@@ -11,7 +11,7 @@ from freecad.sheetmorph.panels.base import Panel, chip, say, vertices_said
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.interaction.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
-from freecad.sheetmorph.qt import translate
+from freecad.sheetmorph.qt import connect, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import PartLight
 from freecad.sheetmorph.scene.pick_view import PickView
@@ -22,12 +22,15 @@ WAYS = ("", "a", "b")  # of the combo box: by distance, by hand on side "a", on 
 
 
 def create(assembly, chosen=()):
-    """Opens the panel for a new contact, up to two parts chosen; returns the panel."""
+    """Open the panel for a new contact between up to two chosen parts, and return it."""
     return ContactPanel.opened(session_on(assembly), assembly, chosen)
 
 
 def edit(contact):
-    """Opens the panel for a contact that exists, returns it; ValueError if it lost a part."""
+    """Open the panel for an existing contact, and return it.
+
+    Raises ValueError if the contact has lost a part.
+    """
     if None in (contact.PartA, contact.PartB):
         raise ValueError(f"Contact '{contact.Label}' has lost a part; delete the contact.")
     assembly = model.assembly_of(contact)
@@ -35,12 +38,12 @@ def edit(contact):
 
 
 def session_on(assembly, *needed) -> EditingSession:
-    """A session on the parts of a morph; without any of them it ends."""
+    """Return a session on all parts of a morph, which ends if one of them is deleted."""
     return EditingSession(assembly.Document, [assembly, *model.parts(assembly), *needed])
 
 
 class ContactPanel(Panel):
-    """Finds or picks the vertices of both sides; the document changes when the user says OK."""
+    """The panel that finds or picks the vertices of both sides; OK changes the document."""
 
     def __init__(self, session, assembly, chosen=(), contact=None):
         super().__init__(session, "contact", "MarkContact", "Contact")
@@ -64,14 +67,14 @@ class ContactPanel(Panel):
             self._begin_with(contact)
 
     def _begin(self, chosen) -> None:
-        """Starts with up to two parts that were selected."""
+        """Start with up to two selected parts."""
         for part in chosen[:2]:
             self._sides.take(part.Name)
         self._estimate_distance()
         self._follow_parts()
 
     def _begin_with(self, contact) -> None:
-        """Starts with what a contact has."""
+        """Start with the values of a contact."""
         for side, part in (("a", contact.PartA), ("b", contact.PartB)):
             self._sides.put(side, part.Name, model.contact_vertices(contact, side).tolist())
             if selecting.sentence_of(contact, side) is not None:
@@ -82,10 +85,10 @@ class ContactPanel(Panel):
         self.form.type.setCurrentIndex(contact_types.TYPES.index(contact.Type))
         self._follow_parts()
 
-    # -- what the mouse does in the 3D view while no side is picked by hand
+    # -- the mouse in the 3D view while no side is picked by hand
 
     def hover(self, ray) -> None:
-        """Highlights the part that a click would take."""
+        """Highlight the part that a click would choose."""
         is_choosing = self._contact is None and not self._side_by_hand() and ray is not None
         part = self._sides.part_at(ray) if is_choosing else ""
         if not part or part in self._sides.parts.values():
@@ -94,7 +97,7 @@ class ContactPanel(Panel):
             self._light.show(part, self._parts[part].ViewObject, self._sides.triangles(part))
 
     def click(self, ray) -> None:
-        """Takes a part."""
+        """Choose a part."""
         is_choosing = self._contact is None and not self._side_by_hand()
         if is_choosing and self._sides.take(self._sides.part_at(ray)):
             self._light.show()
@@ -102,13 +105,13 @@ class ContactPanel(Panel):
             self._follow_parts()
 
     def turn_wheel(self, steps: float) -> None:
-        """Changes the size of the brush."""
+        """Change the size of the brush."""
         self._tools.turn_wheel(steps)
 
     # -- the buttons of the task view
 
     def keep(self) -> bool:
-        """OK: one undo step; as long as a side is empty the panel stays and says so."""
+        """Store the contact in one undo step; return False while a side is empty."""
         fault = self._fault()
         if fault:
             say(self.form.message, fault, True)
@@ -121,7 +124,7 @@ class ContactPanel(Panel):
         return True
 
     def _fault(self) -> str:
-        """Why there is no contact yet, in words; empty if there is one."""
+        """Return why there is no contact yet, empty if there is one."""
         if not self._sides.are_chosen:
             return translate(
                 "SheetMorph_panels", "Choose two parts: click on one, then on the other."
@@ -138,7 +141,7 @@ class ContactPanel(Panel):
         )
 
     def _lines(self) -> list[str]:
-        """The calls of the API that make the contact, or change what is different now."""
+        """Return the API calls that create the contact, or change its values."""
         kind, active = contact_types.TYPES[self.form.type.currentIndex()], self._is_active()
         picked = {side: self._sides.picked(side) for side in "ab"}
         if self._contact is not None:
@@ -160,7 +163,7 @@ class ContactPanel(Panel):
         return lines
 
     def _words(self, side: str) -> str:
-        """How a macro line says which vertices a side has."""
+        """Return the vertices of a side as source text."""
         picker, part = self._sides.pickers[side], self._parts[self._sides.parts[side]]
         return selecting.source_for(part, [picker.said], picker.picked)
 
@@ -179,12 +182,12 @@ class ContactPanel(Panel):
             combo.addItem(translate("SheetMorph_panels", "Click on a part…"), "")
             for part in self._parts.values():
                 combo.addItem(part.Label, part.Name)
-            combo.activated.connect(lambda _index, s=side: self._choose_part(s))
+            connect(combo, "activated(int)", lambda _index, s=side: self._choose_part(s))
         form.distance.setMinimum(0.0)
         form.distance.setValue(2.0)
-        form.distance.valueChanged.connect(self._touch)
-        form.way.currentIndexChanged.connect(self._choose_way)
-        form.type.currentIndexChanged.connect(self._explain)
+        connect(form.distance, "valueChanged(double)", self._touch)
+        connect(form.way, "currentIndexChanged(int)", self._choose_way)
+        connect(form.type, "currentIndexChanged(int)", self._explain)
         contact_types.fill(form.type, contact_types.TYPE_NAMES, contact_types.TYPE_TEXTS)
 
     def _explain(self, index: int) -> None:
@@ -194,17 +197,17 @@ class ContactPanel(Panel):
         return self.form.active.isChecked()
 
     def _side_by_hand(self) -> str:
-        """The side that is picked by hand, or an empty string."""
+        """Return the side that is picked by hand, or an empty string."""
         return WAYS[self.form.way.currentIndex()]
 
     def _choose_part(self, side: str) -> None:
-        """A part was chosen in a list."""
+        """Handle the choice of a part in a list."""
         self._sides.put(side, getattr(self.form, f"part_{side}").currentData())
         self._estimate_distance()
         self._follow_parts()
 
     def _estimate_distance(self) -> None:
-        """A distance at which the parts touch; 2 mm where that is enough."""
+        """Set a distance at which the parts touch, 2 mm if that is enough."""
         if self._sides.are_chosen:
             with actions.waiting():
                 reach = reach_that_touches(self._touching, self._sides.size())
@@ -215,7 +218,7 @@ class ContactPanel(Panel):
         return api.touching_vertices(first, second, distance)
 
     def _touch(self, *_) -> None:
-        """Takes the vertices within the gap distance, unless they are picked by hand."""
+        """Pick the vertices within the gap distance, unless they are picked by hand."""
         if self._sides.are_chosen and not self._side_by_hand():
             with actions.waiting():
                 self._sides.pick(*self._touching(self.form.distance.value()))
@@ -226,7 +229,7 @@ class ContactPanel(Panel):
         self._follow_parts()
 
     def _follow_parts(self) -> None:
-        """Shows both parts in the lists and gives each side its colour in the view."""
+        """Show both parts in the lists, and the colour of each side in the view."""
         self._remove_views()
         for side, part in self._sides.parts.items():
             combo = getattr(self.form, f"part_{side}")
@@ -243,7 +246,7 @@ class ContactPanel(Panel):
         self._touch()
 
     def picked(self) -> None:
-        """Shows what is picked."""
+        """Show the picked vertices."""
         for side in "ab":
             picked = self._sides.picked(side)
             text = vertices_said(len(picked)) if picked else ""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The types of a contact and the modes of a part, in a designer's words."""
+"""The types of a contact and the modes of a part in a designer's words."""
 
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
@@ -47,7 +47,7 @@ MODE_TEXTS = (
 
 
 def fill(combo, names, texts) -> None:
-    """Fills a combo box with names, each with its text as tooltip."""
+    """Fill a combo box with names, each with its text as tooltip."""
     for index, (shown, text) in enumerate(zip(names, texts)):
         combo.addItem(translate("SheetMorph_panels", shown))
         combo.setItemData(index, translate("SheetMorph_panels", text), QtCore.Qt.ToolTipRole)

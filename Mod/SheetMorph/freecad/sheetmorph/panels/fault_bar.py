@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is wrong with a morph: one sentence in a panel, with buttons that show and mend it."""
+"""The fault of a morph in a panel: one sentence, with buttons that show and repair it."""
 
 import FreeCAD as App
 
@@ -7,19 +7,19 @@ from freecad.sheetmorph import actions, mending
 from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.bridge.faults import fault_of
 from freecad.sheetmorph.panels.base import say
-from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
 from freecad.sheetmorph.scene.looking import look_at
 
 
 class FaultBar(QtCore.QObject):
-    """Says in the label ``message`` of a panel what is wrong; ``mended`` is sent after a cure."""
+    """The fault in a panel's label `message`; `mended` is sent after a repair."""
 
     mended = QtCore.Signal()
 
     def __init__(self, form, session, assembly):
-        """The buttons come beside the label."""
+        """Create the buttons next to the label."""
         super().__init__()
         self._label, self._assembly, self._session = form.message, assembly, session
         self._fault, self._cure, self._text = None, None, ""
@@ -37,8 +37,7 @@ class FaultBar(QtCore.QObject):
         self.say("")
 
     def say(self, wrong) -> None:
-        """Shows a fault or an error, and reports it once in the report view; empty: shows
-        nothing."""
+        """Show a fault or an error, and write it to the report view once; empty hides it."""
         fault = fault_of(wrong)
         is_new = self._fault is None or not fault.is_same(self._fault)
         if is_new:
@@ -60,7 +59,7 @@ class FaultBar(QtCore.QObject):
         self._row.setVisible(is_shown or self._cure is not None)
 
     def _show_it(self, *_) -> None:
-        """Lights up what the fault is about, and brings it into view."""
+        """Highlight the place of the fault, and move the camera to it."""
         self._highlight.clear()
         places = mending.places(self._assembly, self._fault)
         for part, vertices in places:
@@ -69,7 +68,7 @@ class FaultBar(QtCore.QObject):
         look_at(self._session.view, seen.positions(places))
 
     def _mend_it(self, *_) -> None:
-        """After the click: the cure may change the panel it is in."""
+        """Repair after the click, because the repair may change this panel."""
         QtCore.QTimer.singleShot(0, self._mend_now)
 
     def _mend_now(self) -> None:
@@ -83,6 +82,6 @@ class FaultBar(QtCore.QObject):
     def _button(self, object_name: str, text: str, action):
         button = QtWidgets.QPushButton(text, self._row)
         button.setObjectName(object_name)
-        button.clicked.connect(action)
+        connect(button, "clicked()", action)
         self._row.layout().addWidget(button)
         return button

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of a form feature: how it turns, what it may do, its size, and its relations."""
+"""The panel of a form feature: its rotation, motion, size and relations."""
 
 from freecad.sheetmorph import actions, api, reporting
 from freecad.sheetmorph.bridge import live_session, solving
@@ -14,41 +14,41 @@ from freecad.sheetmorph.panels import keeping
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.interaction.live_scene import LiveScene
-from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, translate
 from freecad.sheetmorph.tools import words
 
 RELATE = ("", "group", "coaxial", "keep_distance")
-"""The functions of the interface that relate form features, as the combo box lists them."""
+"""The API functions that relate form features, in the order of the combo box."""
 
 PAUSE = 300
-"""ms without a change after which the view shows what is chosen."""
+"""ms without a change until the view shows the choice."""
 
 Change = tuple[str, tuple, dict]
-"""A call of the interface: function, arguments, keywords."""
+"""An API call: function, arguments, keywords."""
 
 
 def line_of(function: str, arguments: tuple, keywords: dict) -> str:
-    """The macro line of a call of the interface."""
+    """Return the macro line of an API call."""
     texts = {key: repr(value) for key, value in keywords.items()}
     return call(function, *[text_of(argument) for argument in arguments], **texts)
 
 
 def text_of(argument) -> str:
-    """How a macro line writes a document object, a list of them, or a value."""
+    """Return a document object, a list of them, or a value as source text."""
     if isinstance(argument, list):
         return f"[{', '.join(text_of(entry) for entry in argument)}]"
     return name(argument) if hasattr(argument, "Name") else repr(argument)
 
 
 def open_panel(feature):
-    """Opens the panel of a form feature; returns it."""
+    """Open the panel of a form feature, and return it."""
     assembly = model.assembly_of(feature)
     session = EditingSession(feature.Document, [assembly, *assembly.Group])
     return FeaturePanel.opened(session, feature)
 
 
 class FeaturePanel(Panel):
-    """Says what a form feature may do; the view shows it at once, the document has it after OK."""
+    """The settings of a form feature; the view shows them at once, OK stores them."""
 
     def __init__(self, session, feature):
         super().__init__(session, "feature", "FeatureSettings", "Form Feature")
@@ -62,7 +62,7 @@ class FeaturePanel(Panel):
         ]
         self._shown = None
         self._pause = QtCore.QTimer(self.form, singleShot=True, interval=PAUSE)
-        self._pause.timeout.connect(lambda: session.when_free(self._show_changes))
+        connect(self._pause, "timeout()", lambda: session.when_free(self._show_changes))
         session.at_end(self._end_drawing)
         session.at_end(self._pause.stop)
         self._worker = FrameWorker(self._compute, self)
@@ -75,7 +75,7 @@ class FeaturePanel(Panel):
     # -- the buttons of the task view
 
     def keep(self) -> bool:
-        """OK: one undo step; what is not possible is told, and the panel stays."""
+        """Store the settings in one undo step; return False after reporting an error."""
         try:
             changes = self._changes()
             if changes:
@@ -88,22 +88,22 @@ class FeaturePanel(Panel):
             return False
         return True
 
-    # -- what would be
+    # -- the preview
 
     def _watch(self) -> None:
         form = self.form
         vectors = [f"{of}_{axis}" for of in ("rotation", "direction", "point") for axis in "xyz"]
         for name_of in ("angle", "feature_size", *vectors):
-            getattr(form, name_of).valueChanged.connect(self._await)
+            connect(getattr(form, name_of), "valueChanged(double)", self._await)
         for box in (form.rotation, form.motion):
-            box.currentIndexChanged.connect(self._await)
-        form.has_size.toggled.connect(self._await)
+            connect(box, "currentIndexChanged(int)", self._await)
+        connect(form.has_size, "toggled(bool)", self._await)
 
     def _await(self, *_) -> None:
         self._pause.start()
 
     def _show_changes(self) -> None:
-        """Draws what OK would do; what is not possible is told next to it."""
+        """Draw the result of OK, or show the error."""
         try:
             changes = [change for change in self._settings() if change is not None]
             self._end_drawing()
@@ -119,18 +119,20 @@ class FeaturePanel(Panel):
         self._shown = None
 
     def _try(self, changes: list[Change]) -> None:
-        """Begins to draw the changes; raises what is wrong with them as such. The document stays
-        as it is."""
+        """Start to draw the changes; raise an error if they are invalid.
+
+        The document stays as it is.
+        """
         with transactions.trial(self._feature.Document, "Form Feature"):
             for function, arguments, keywords in changes:
                 getattr(api, function)(*arguments, **keywords)
             morph = solving.read_morph(self._assembly)
         self._worker.ask((morph, solving.cache_of(self._assembly)))
 
-    # -- what the worker calls
+    # -- called by the worker
 
     def _compute(self, question):
-        """In the thread: the solution and its frame; OK finds the answer."""
+        """Return the solution and its frame, which OK reuses; runs in the worker thread."""
         morph, cache = question
         with reporting.told_to(self._goes_on):
             live = live_session.LiveSession(None, morph, cache)
@@ -141,7 +143,7 @@ class FeaturePanel(Panel):
         return self._worker.is_free
 
     def on_answer(self, answer) -> None:
-        """Draws what OK would do."""
+        """Draw the result of OK."""
         live, frame = answer
         self._end_drawing()
         self._shown = LiveScene(self._assembly, live, None)
@@ -149,19 +151,19 @@ class FeaturePanel(Panel):
         say(self.form.message, "")
 
     def on_fault(self, text: str) -> None:
-        """What is not possible."""
+        """Show an error."""
         say(self.form.message, text, True)
 
     def on_progress(self, _task: str) -> None:
-        """Nothing is said of it."""
+        """Ignore the progress."""
 
     def _changes(self) -> list[Change]:
-        """The calls of the API that change what is different now."""
+        """Return the API calls for all changes."""
         made = [*self._settings(), self._relation()]
         return [change for change in made if change is not None]
 
     def _settings(self) -> list[Change | None]:
-        """What is different now in the form feature itself; the relation is a new object."""
+        """Return the changes of the form feature; a relation would be a new object."""
         return [self._rotation(), self._motion(), self._size()]
 
     def _rotation(self) -> Change | None:
@@ -230,8 +232,8 @@ class FeaturePanel(Panel):
             item.setCheckState(QtCore.Qt.Unchecked)
         form.relation.setEnabled(bool(self._others))
         for box in (form.rotation, form.motion, form.relation):
-            box.currentIndexChanged.connect(self._refresh)
-        form.has_size.toggled.connect(self._refresh)
+            connect(box, "currentIndexChanged(int)", self._refresh)
+        connect(form.has_size, "toggled(bool)", self._refresh)
         related = model.relations(self._assembly, self._feature)
         text = ", ".join(f"{relation.Label} ({relation.Type})" for relation in related)
         say(form.related, f"Relations: {text}" if text else "")
@@ -259,7 +261,7 @@ class FeaturePanel(Panel):
         form.size_text.setText(f"{shape.kind.capitalize()}, {shape.measure} {size}.")
 
     def _refresh(self, *_) -> None:
-        """Shows the fields that mean something now."""
+        """Show the fields that apply now."""
         form = self.form
         motion = MOTIONS[form.motion.currentIndex()]
         is_turned = ROTATIONS[form.rotation.currentIndex()] == PRESCRIBED
@@ -286,6 +288,6 @@ class FeaturePanel(Panel):
         return tuple(getattr(self.form, f"{prefix}_{axis}").value() for axis in "xyz")
 
     def _ticked(self) -> list:
-        """The other form features that are ticked."""
+        """Return the other form features that are checked."""
         states = [self.form.others.item(row).checkState() for row in range(len(self._others))]
         return [o for o, state in zip(self._others, states) if state == QtCore.Qt.Checked]

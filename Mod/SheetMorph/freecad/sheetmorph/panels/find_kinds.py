@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the two panels of proposals differ in: features and contacts."""
+"""The differences between the panels that propose features and contacts."""
 
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.api.finding import HOLES, with_washers
@@ -12,12 +12,12 @@ MARKED = "In the document already"
 
 
 def widget(form, title: str):
-    """A widget of the panel, asked for anew: an attribute can outlive its widget."""
+    """Return a widget of the panel, searched anew, since an attribute can outlive its widget."""
     return form.findChild(QtWidgets.QWidget, title)
 
 
 def plain(vertices) -> str:
-    """How a macro line writes vertices: plain integers, no numpy."""
+    """Return vertices as source text with plain integers."""
     return repr([int(vertex) for vertex in vertices])
 
 
@@ -28,7 +28,7 @@ class Features:
     columns = ["Feature", "Size", "Quality"]
 
     def prepare(self, form) -> None:
-        """Hides the tolerances that concern contacts."""
+        """Hide the tolerances of contacts."""
         for widget in (form.gap, form.gap_label, form.facing, form.facing_label, form.one_per_pair):
             widget.setVisible(False)
         form.hint.setText(
@@ -39,7 +39,7 @@ class Features:
         )
 
     def options(self, form) -> dict:
-        """The tolerances that the panel shows."""
+        """Return the tolerances of the panel."""
         return {
             "roundness": widget(form, "roundness").value() / 100.0,
             "crease_angle": widget(form, "crease").value(),
@@ -48,19 +48,19 @@ class Features:
         }
 
     def find(self, api, assembly, options) -> list:
-        """The proposals."""
+        """Return the proposals."""
         return api.find_features(assembly, **options)
 
     def size(self, one) -> float:
-        """What the size filter goes by, mm."""
+        """Return the size for the filter, mm."""
         return one.size
 
     def doubt(self, one) -> str:
-        """Why its vertices are not certain; empty if they are."""
+        """Return why its vertices are uncertain, empty if they are not."""
         return one.unsettled
 
     def row(self, one) -> tuple:
-        """What the list shows of a proposal."""
+        """Return the list entry of a proposal."""
         quality = one.residual / (0.5 * one.size) if one.size else 0.0
         size = words.length(one.size, 4)
         if one.kind == "bend":
@@ -73,11 +73,11 @@ class Features:
         return texts, (one.name, one.size, quality), is_checked, not one.is_marked, tip
 
     def places(self, one, colours) -> list:
-        """(part, vertices, colour) to light up."""
+        """Return (part, vertices, colour) to highlight."""
         return [(one.part, one.vertices, colours.ROLES["form feature"])]
 
     def lines(self, assembly, chosen, form) -> list[str]:
-        """The macro lines that take proposals over."""
+        """Return the macro lines that accept proposals."""
         sets = with_washers(assembly, chosen, form.rings.value())
         return [
             call("add_feature", name(assembly), name(one.part), plain(ids), repr(one.name))
@@ -92,7 +92,7 @@ class Contacts:
     columns = ["Contact", "Type", "Size", "Gap"]
 
     def prepare(self, form) -> None:
-        """Hides the tolerances that concern features."""
+        """Hide the tolerances of features."""
         for widget in (
             form.roundness,
             form.roundness_label,
@@ -111,7 +111,7 @@ class Contacts:
         )
 
     def options(self, form) -> dict:
-        """The tolerances that the panel shows."""
+        """Return the tolerances of the panel."""
         options = {
             "facing_angle": widget(form, "facing").value(),
             "one_per_pair": widget(form, "one_per_pair").isChecked(),
@@ -120,19 +120,19 @@ class Contacts:
         return {**options, "gap": gap} if gap > 0.0 else options
 
     def find(self, api, assembly, options) -> list:
-        """The proposals."""
+        """Return the proposals."""
         return api.find_contacts(assembly, **options)
 
     def size(self, one) -> float:
-        """What the size filter goes by, mm."""
+        """Return the size for the filter, mm."""
         return one.size
 
     def doubt(self, _one) -> str:
-        """A contact is certain, or not proposed."""
+        """Return an empty string, since no uncertain contact is proposed."""
         return ""
 
     def row(self, one) -> tuple:
-        """What the list shows of a proposal."""
+        """Return the list entry of a proposal."""
         texts = (one.name, one.type, words.length(one.size, 4), words.length(one.distance))
         tip = MARKED if one.is_marked else f"{len(one.a)} and {vertices_said(len(one.b))}"
         tip = f"{one.name}\n{tip}"
@@ -140,11 +140,11 @@ class Contacts:
         return texts, values, not one.is_marked, not one.is_marked, tip
 
     def places(self, one, colours) -> list:
-        """(part, vertices, colour) to light up."""
+        """Return (part, vertices, colour) to highlight."""
         return [(one.part_a, one.a, colours.SIDES["a"]), (one.part_b, one.b, colours.SIDES["b"])]
 
     def lines(self, assembly, chosen, _form) -> list[str]:
-        """The macro lines that take proposals over."""
+        """Return the macro lines that accept proposals."""
         return [self._line(name(assembly), one) for one in chosen]
 
     def _line(self, assembly: str, one) -> str:
@@ -156,6 +156,6 @@ class Contacts:
         return call("add_contact", assembly, *sides, **keywords)
 
 
-# Holes are checked as they are found; bends are only offered besides.
+# Holes are checked initially, bends are not.
 _OFFERED = (*HOLES, "bend")
 FEATURES, CONTACTS = Features(), Contacts()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panels that propose what was found: a list with check boxes, filters and tolerances."""
+"""The panels with proposals: a list with check boxes, filters and tolerances."""
 
 from freecad.sheetmorph import actions, api
 from freecad.sheetmorph.bridge import seen
@@ -10,7 +10,7 @@ from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.find_kinds import CONTACTS, FEATURES
 from freecad.sheetmorph.panels.folding import Folds
-from freecad.sheetmorph.qt import QtCore, translate
+from freecad.sheetmorph.qt import QtCore, connect, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
 from freecad.sheetmorph.scene.looking import look_at
@@ -20,12 +20,12 @@ ANY = QT_TRANSLATE_NOOP("SheetMorph_panels", "all kinds")
 
 
 def open_features(assembly, parts=None):
-    """Opens the panel with the features found on a morph, or on some parts; returns the panel."""
+    """Open the panel with features of a morph, or of some parts, and return it."""
     return _opened(assembly, FEATURES, parts)
 
 
 def open_contacts(assembly, parts=None):
-    """Opens the panel with the contacts found in a morph, or of some parts; returns the panel."""
+    """Open the panel with contacts of a morph, or of some parts, and return it."""
     return _opened(assembly, CONTACTS, parts)
 
 
@@ -35,7 +35,7 @@ def _opened(assembly, what, parts):
 
 
 class FindPanel(Panel):
-    """Shows proposals; those that are checked come into the document when the user says OK."""
+    """A list of proposals; OK adds the checked ones to the document."""
 
     width = 540  # for the columns of the list
 
@@ -59,7 +59,7 @@ class FindPanel(Panel):
     # -- the search and its list
 
     def search(self, *_) -> None:
-        """Finds anew with the tolerances of the panel."""
+        """Search again with the tolerances of the panel."""
         self._faults.say("")
         try:
             with actions.followed(self._what.title):
@@ -83,7 +83,7 @@ class FindPanel(Panel):
         combo.blockSignals(False)
 
     def _filter(self, *_) -> None:
-        """Hides the rows that the filters leave out; they are not taken either."""
+        """Hide the rows that the filters exclude; OK does not add them either."""
         kind, any_kind = self.form.kind.currentText(), self.form.kind.currentIndex() <= 0
         low, high = self.form.smallest.value(), self.form.largest.value()
         table = self.form.table
@@ -124,7 +124,7 @@ class FindPanel(Panel):
     # -- the 3D view
 
     def _light(self, row: int, *_) -> None:
-        """Colours what the mouse is over in the list."""
+        """Colour the proposal under the mouse."""
         self._highlight.clear()
         if row < 0:
             return
@@ -135,7 +135,7 @@ class FindPanel(Panel):
             self._highlight.paint(part.ViewObject, self._meshes[part.Name], colour, vertices)
 
     def _look(self, row: int, *_) -> None:
-        """Brings a proposal into view, as near as it is large."""
+        """Move the camera to a proposal."""
         one = self._found[find_table.number_in(self.form.table, row)]
         places = [(part, ids) for part, ids, _ in self._what.places(one, colours)]
         look_at(self.session.view, seen.positions(places))
@@ -143,7 +143,7 @@ class FindPanel(Panel):
     # -- the buttons of the task view
 
     def keep(self) -> bool:
-        """OK: everything that is checked in one undo step."""
+        """Add all checked proposals in one undo step."""
         chosen = [one for one in self._chosen() if not one.is_marked]
         if not chosen:
             text = translate("SheetMorph_panels", "Nothing is checked; check proposals, or cancel.")
@@ -163,29 +163,29 @@ class FindPanel(Panel):
         form = self.form
         find_table.prepare(form.table, self._what.columns)
         self._what.prepare(form)
-        form.kind.currentIndexChanged.connect(self._filter)
-        form.smallest.valueChanged.connect(self._filter)
-        form.largest.valueChanged.connect(self._filter)
-        form.search.clicked.connect(self.search)
-        form.all.clicked.connect(self._check_all)
-        form.none.clicked.connect(self._check_none)
-        form.table.cellEntered.connect(self._light)
-        form.table.cellDoubleClicked.connect(self._look)
-        form.table.itemChanged.connect(self._count)
+        connect(form.kind, "currentIndexChanged(int)", self._filter)
+        connect(form.smallest, "valueChanged(double)", self._filter)
+        connect(form.largest, "valueChanged(double)", self._filter)
+        connect(form.search, "clicked()", self.search)
+        connect(form.all, "clicked()", self._check_all)
+        connect(form.none, "clicked()", self._check_none)
+        connect(form.table, "cellEntered(int,int)", self._light)
+        connect(form.table, "cellDoubleClicked(int,int)", self._look)
+        connect(form.table, "itemChanged(QTableWidgetItem*)", self._count)
         self._leaving = _Leaving(self._light)
         form.table.viewport().installEventFilter(self._leaving)
         self.session.at_end(self._leaving.deleteLater)
 
 
 class _Leaving(QtCore.QObject):
-    """Tells when the mouse leaves a widget."""
+    """A filter that reports when the mouse leaves a widget."""
 
     def __init__(self, told):
         super().__init__()
         self._told = told
 
     def eventFilter(self, _watched, event) -> bool:
-        """Never keeps an event from the widget."""
+        """Report the event without consuming it."""
         if event.type() == QtCore.QEvent.Leave:
             self._told(-1)
         return False

@@ -5,8 +5,8 @@ from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
 
 NUMBER = QtCore.Qt.UserRole
 VALUE = QtCore.Qt.UserRole + 1
-HEIGHT = 230  # px, so that ten rows are seen
-GREY = (128, 132, 138)  # readable on white and on the grounds of dark styles
+HEIGHT = 230  # px, for ten rows
+GREY = (128, 132, 138)  # readable on white and on dark styles
 
 
 class Cell(QtWidgets.QTableWidgetItem):
@@ -18,7 +18,7 @@ class Cell(QtWidgets.QTableWidgetItem):
 
 
 def prepare(table, columns) -> None:
-    """Sets the columns; rows light up under the mouse."""
+    """Set the columns and report the row under the mouse."""
     table.setColumnCount(len(columns))
     table.setHorizontalHeaderLabels(columns)
     table.setMinimumHeight(HEIGHT)
@@ -26,7 +26,7 @@ def prepare(table, columns) -> None:
     table.verticalHeader().setVisible(False)
     rows = table.verticalHeader()
     rows.setMinimumSectionSize(22)
-    rows.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)  # names stand in full
+    rows.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)  # show names in full
     table.setWordWrap(True)
     header = table.horizontalHeader()
     for column in range(len(columns)):
@@ -35,12 +35,12 @@ def prepare(table, columns) -> None:
 
 
 def freeze(table) -> None:
-    """Keeps the heights of all rows: closing a panel with a long list would measure each again."""
+    """Fix the heights of all rows, which closing a long list would measure again."""
     table.verticalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Fixed)
 
 
 def fill(table, rows) -> None:
-    """Shows rows: (texts, values to sort by, is checked, may be checked, tool tip) each."""
+    """Show rows of (texts, values to sort by, is checked, may be checked, tooltip)."""
     table.blockSignals(True)
     table.setSortingEnabled(False)
     table.setRowCount(len(rows))
@@ -50,7 +50,8 @@ def fill(table, rows) -> None:
             cell.setData(VALUE, value)
             cell.setToolTip(tip)
             flags = QtCore.Qt.ItemIsSelectable | QtCore.Qt.ItemIsEnabled
-            if not may_be:  # not by a disabled item: dark styles draw that as dark as the ground
+            # dark styles draw the text of a disabled item as dark as its background
+            if not may_be:
                 cell.setForeground(QtGui.QBrush(QtGui.QColor(*GREY)))
             if column == 0:
                 cell.setData(NUMBER, number)
@@ -65,19 +66,19 @@ def fill(table, rows) -> None:
 
 
 def number_in(table, row: int) -> int:
-    """Which proposal stands in a row."""
+    """Return the number of the proposal in a row."""
     return int(table.item(row, 0).data(NUMBER))
 
 
 def checked(table) -> list[int]:
-    """The proposals that are checked and not hidden, in their own order."""
+    """Return the sorted numbers of the proposals that are checked and visible."""
     rows = [row for row in range(table.rowCount()) if not table.isRowHidden(row)]
     is_on = [table.item(row, 0).checkState() == QtCore.Qt.Checked for row in rows]
     return sorted(number_in(table, row) for row, on in zip(rows, is_on) if on)
 
 
 def set_checks(table, is_on: bool) -> None:
-    """Checks or clears all rows that are seen and may be checked; nobody is told of each."""
+    """Check or clear all visible rows that may be checked, without signals."""
     table.blockSignals(True)
     for row in range(table.rowCount()):
         cell = table.item(row, 0)

@@ -2,24 +2,24 @@
 """Groups of a panel that fold to their title, so that it fits a small screen."""
 
 from freecad.sheetmorph import preferences
-from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect
 
 
 class Folds:
-    """Lets groups fold; the preferences remember which are open."""
+    """Foldable groups; the preferences store which are open."""
 
     def __init__(self, entries: dict):
-        """``entries``: QGroupBox -> entry of the preferences."""
+        """Make groups foldable; `entries` maps QGroupBox to preference entries."""
         self._buttons = {entry: foldable(group) for group, entry in entries.items()}
         for entry, button in self._buttons.items():
             button.setChecked(preferences.get(entry))
-            button.toggled.connect(lambda is_open, of=entry: preferences.put(of, is_open))
+            connect(button, "toggled(bool)", lambda is_open, of=entry: preferences.put(of, is_open))
 
 
 def foldable(group):
-    """Puts what is in a QGroupBox below a button with its title; returns the button, off."""
+    """Put the content of a QGroupBox below a button with its title; return the button, off."""
     inside = QtWidgets.QWidget(group)
-    inside.setLayout(group.layout())  # which takes it from the group
+    inside.setLayout(group.layout())  # this takes the layout from the group
     inside.layout().setContentsMargins(9, 0, 9, 6)
     button = QtWidgets.QToolButton(group)
     button.setObjectName(f"fold_{group.objectName()}")
@@ -31,18 +31,19 @@ def foldable(group):
     button.setCheckable(True)
     group.setTitle("")
     group.setFlat(True)
-    group.setStyleSheet("QGroupBox { border: 0; margin: 0; padding: 0; }")  # its title has no room
+    # the empty title takes no space
+    group.setStyleSheet("QGroupBox { border: 0; margin: 0; padding: 0; }")
     column = QtWidgets.QVBoxLayout(group)
     column.setContentsMargins(0, 0, 0, 0)
     column.setSpacing(2)
     column.addWidget(button)
     column.addWidget(inside)
     inside.setVisible(False)
-    button.toggled.connect(inside.setVisible)
-    button.toggled.connect(lambda is_open: point(button, is_open))
+    connect(button, "toggled(bool)", inside.setVisible)
+    connect(button, "toggled(bool)", lambda is_open: point(button, is_open))
     return button
 
 
 def point(button, is_open: bool) -> None:
-    """An arrow down while a group is open, else to the right; the style draws it, as its text."""
+    """Show a down arrow for an open group, else a right arrow, drawn by the style."""
     button.setArrowType(QtCore.Qt.DownArrow if is_open else QtCore.Qt.RightArrow)

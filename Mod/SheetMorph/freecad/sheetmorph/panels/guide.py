@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The guide: its panel gives way to the panels of commands and comes back after them."""
+"""The guide, whose panel closes for the panels of commands and returns after them."""
 
 import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.panels.guide_panel import GuidePanel
-from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect
 
 CALM = 100  # ms without a change of the document until the panel shows it
 GONE = 50  # ms until the widgets of a closed panel are gone
-LOOK = 200  # ms between two looks whether the panel of a command is closed
+LOOK = 200  # ms between two checks whether a command's panel is closed
 
 
 class Guide:
-    """Open from ``open`` until the user closes its panel; there is one at most."""
+    """The guide from `open` until the user closes its panel; at most one exists."""
 
     _open = None
 
@@ -28,21 +28,21 @@ class Guide:
 
     @classmethod
     def open(cls, commands) -> None:
-        """Opens the guide; ``commands``: all of the workbench by name, for its buttons."""
+        """Open the guide; `commands` maps names to all commands, for its buttons."""
         cls._open = cls._open or cls(commands)
         cls._open._come_back()
 
     @classmethod
     def is_shown(cls) -> bool:
-        """Whether the panel that is open is the guide's, so that commands may be used."""
+        """Return whether the open panel is the guide's, so that commands are available."""
         return cls._open is not None and cls._open._panel is not None
 
     @classmethod
     def make_room(cls, action) -> None:
-        """Calls ``action``, which may open a panel; the guide comes back when that is closed.
+        """Call `action`, which may open a panel; the guide returns after it closes.
 
-        Only when the widgets of the guide are gone: PySide knows widgets by address and would
-        take those of the next panel for them.
+        The call waits until the guide's widgets are gone. PySide identifies widgets by address, and
+        would mistake those of the next panel for them.
         """
         if cls.is_shown():
             cls._open._give_way()
@@ -56,7 +56,7 @@ class Guide:
         self._look.start()
 
     def _come_back(self) -> None:
-        """Shows the panel as soon as no other one is open."""
+        """Show the panel when no other one is open."""
         if self._panel is None and not Gui.Control.activeDialog() and not is_modal():
             self._look.stop()
             self._panel = GuidePanel(Gui.runCommand, self._closed)
@@ -71,12 +71,12 @@ class Guide:
             self._panel.refresh(self._commands)
 
     def _closed(self) -> None:
-        """The panel is closed; unless it gave way to another one the guide ends with it."""
+        """End the guide when the user closes its panel."""
         if self._panel is not None:
             self._end()
 
     def _end(self) -> None:
-        """Nothing is left behind."""
+        """Release all resources."""
         self._panel = None
         self._calm.stop()
         self._look.stop()
@@ -86,7 +86,7 @@ class Guide:
 
 
 class _Changes:
-    """Tells of everything in documents and selection that the guide may show."""
+    """An observer of all changes of documents and selection that the guide may show."""
 
     def __init__(self, told):
         self._told = told
@@ -101,7 +101,7 @@ class _Changes:
 
 
 def is_modal() -> bool:
-    """Whether a dialog waits for an answer."""
+    """Return whether a dialog waits for an answer."""
     return QtWidgets.QApplication.activeModalWidget() is not None
 
 
@@ -109,5 +109,5 @@ def _timer(milliseconds: int, is_single: bool, action):
     timer = QtCore.QTimer()
     timer.setInterval(milliseconds)
     timer.setSingleShot(is_single)
-    timer.timeout.connect(action)
+    connect(timer, "timeout()", action)
     return timer

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the guide has to know about the active document."""
+"""The facts about the active document for the guide."""
 
 from freecad.sheetmorph import subject
 from freecad.sheetmorph.bridge import recipes
@@ -12,7 +12,7 @@ HIGHLIGHTED = (model.REGION, model.CONTACT)
 
 
 def read():
-    """The facts about the active document, and the regions or contacts that a failure names."""
+    """Return the facts about the active document, and the objects that a failure names."""
     owner = subject.assembly()
     if owner is None:
         return Facts(morphs=len(subject.assemblies())), []
@@ -20,7 +20,7 @@ def read():
     failure = model.failure_of(owner)
     faulty = [obj for obj in at_fault(owner, failure) if model.kind(obj) in HIGHLIGHTED]
     primary, joining = recipes.primary_of(owner), recipes.used_contacts(owner)
-    names = recipes.names_of(owner)  # labels, but for equal ones
+    names = recipes.names_of(owner)  # labels, made unique
     facts = Facts(
         morphs=1,
         parts=tuple(names[part.Name] for part in model.parts(owner)),
@@ -39,17 +39,17 @@ def read():
 
 
 def edited_in(owner) -> tuple[str, str]:
-    """The labels of the first shape that was edited since it became a part, and of that part."""
+    """Return the labels of the first edited source shape and of its part."""
     parts = model.parts(owner)
     changed = (part for part in parts if part.SourceChanged and part.ShapeSource)
     return next(((part.ShapeSource.Label, part.Label) for part in changed), ("", ""))
 
 
 def role_of(obj) -> str:
-    """The role of a region; a contact has none."""
+    """Return the role of a region, "contact" for a contact."""
     return getattr(obj, "Role", "contact")
 
 
 def is_moved(handle) -> bool:
-    """Whether a handle is not at rest."""
+    """Return whether a handle is not at rest."""
     return not motion_of(handle).is_rest()

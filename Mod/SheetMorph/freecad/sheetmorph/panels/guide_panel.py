@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel that leads through a morph: what is done, what is missing, what to press."""
+"""The panel that leads through a morph: steps, missing objects and buttons."""
 
 import FreeCADGui as Gui
 
@@ -25,7 +25,7 @@ COMMANDS = {
 
 
 class GuidePanel(Panel):
-    """Shows the steps; ``run(command name)`` and ``closed()`` are told to the guide behind it."""
+    """The steps of a morph, with callbacks `run(command name)` and `closed()`."""
 
     width = 380
 
@@ -39,7 +39,7 @@ class GuidePanel(Panel):
             step.connect(run)
 
     def refresh(self, commands) -> None:
-        """Shows what the document says now; ``commands``: all of the workbench by name."""
+        """Show the state of the document; `commands` maps names to all commands."""
         facts, faulty = guide_facts.read()
         owner = subject.assembly()
         say(self.form.morph, f"<b>{owner.Label}</b>" if owner else "")
@@ -50,23 +50,23 @@ class GuidePanel(Panel):
             self._show_faulty()
 
     def getStandardButtons(self) -> int:
-        """Close: what was done stays."""
+        """Return Close, since there are no changes to cancel."""
         return number(QtWidgets.QDialogButtonBox.Close)
 
     def isAllowedAlterSelection(self) -> bool:
-        """Meshes are selected in the tree to become parts."""
+        """Return True, since meshes are selected in the tree to become parts."""
         return True
 
     def isAllowedAlterDocument(self) -> bool:
-        """Nothing is open in the document: undo and every command are welcome."""
+        """Return True, since the panel has no open transaction."""
         return True
 
     def accept(self) -> bool:
-        """Return in the panel is no wish to close it."""
+        """Return False, since the Return key must not close the panel."""
         return False
 
     def _show_faulty(self) -> None:
-        """Selects the regions that a failure names, and lights up where they are."""
+        """Select the regions that a failure names, and highlight their vertices."""
         self._highlight.clear()
         for obj in self._faulty:
             Gui.Selection.addSelection(obj)

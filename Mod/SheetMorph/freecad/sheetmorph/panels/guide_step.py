@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One step in the guide: a mark, a title, what is missing in words, and buttons for commands."""
+"""One step of the guide: a mark, a title, an explanation and buttons for commands."""
 
 from freecad.sheetmorph.panels.base import say
-from freecad.sheetmorph.qt import QtCore, icon_of, translate
+from freecad.sheetmorph.qt import QtCore, connect, icon_of, translate
 from freecad.sheetmorph.tools import guide
 
 MARKS = {
@@ -16,26 +16,26 @@ MARKS = {
 
 
 class StepView:
-    """The widgets of one step; a press on a button calls ``run`` with the name of a command."""
+    """The widgets of one step; its buttons call `run` with the name of a command."""
 
     def __init__(self, form, key: str, names):
-        """``names``: of the commands, whose buttons ``form`` has, with words and without."""
+        """Use the buttons of `form`, a large and a small one for each command in `names`."""
         self._form, self._key, self._names = form, key, names
         self._title = self._widget("title").text()
         self._presses = []
 
     def connect(self, run) -> None:
-        """Lets the buttons call ``run``, after the click: it may end the panel they are in."""
+        """Let the buttons call `run` after the click, because it may close their panel."""
         for name in self._names:
             press = _Press(f"SheetMorph_{name}", run)
             self._presses.append(press)
             for button in self._buttons(name):
-                button.clicked.connect(press.pressed)
+                connect(button, "clicked()", press.pressed)
 
     def show(self, step: guide.Step, commands) -> None:
-        """Shows the state of the step; where to press now the buttons have words.
+        """Show the state of the step; buttons for the next action have text.
 
-        ``commands``: all of the workbench by name.
+        `commands` maps names to all commands.
         """
         mark, colour = MARKS[step.state]
         is_here = step.state in (guide.NEXT, guide.AFTER, guide.FAULTY)
@@ -60,13 +60,13 @@ class StepView:
 
 
 class _Press:
-    """What a press on a button does."""
+    """The action of a button."""
 
     def __init__(self, name: str, run):
         self.name, self._run = name, run
 
     def pressed(self, *_) -> None:
-        """Runs the command after the click, because it may end the panel of the button."""
+        """Run the command after the click, because it may close the panel of the button."""
         QtCore.QTimer.singleShot(0, self._later)
 
     def _later(self) -> None:
@@ -74,7 +74,7 @@ class _Press:
 
 
 def dress(buttons, command) -> None:
-    """Gives buttons the icon and the words of a command, unless they have them."""
+    """Give buttons the icon and texts of a command, unless they have them."""
     resources = command.GetResources()
     words = [translate(command.name, resources[key]) for key in ("MenuText", "ToolTip")]
     for button in buttons:

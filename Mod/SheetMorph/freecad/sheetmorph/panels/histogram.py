@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How many elements have which quality, as a picture: bars of now, a line of how it was at rest."""
+"""The histogram of element quality as a picture: bars for now, lines for rest."""
 
 from freecad.sheetmorph.qt import QtCore, QtGui
 
 WIDTH, HEIGHT = 256, 64
-REST, LIMIT = "#8b95a2", "#de2924"  # seen on light panels and on the dark legend
+REST, LIMIT = "#8b95a2", "#de2924"  # visible on light panels and on the dark legend
 
 
 def histogram_picture(histogram):
-    """A QPixmap of an element_quality.Histogram, in the colours of its span."""
+    """Return a QPixmap of an element_quality.Histogram in the colours of its span."""
     picture = QtGui.QPixmap(WIDTH, HEIGHT)
     picture.fill(QtCore.Qt.transparent)
     painter = QtGui.QPainter(picture)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What OK does in the panels that change a morph: the step is kept, the shape follows."""
+"""The effect of OK in panels that change a morph: a stored step, then the shape."""
 
 from freecad.sheetmorph import actions
 from freecad.sheetmorph.bridge import faults
@@ -10,10 +10,10 @@ from freecad.sheetmorph.objects.errors import MorphError
 
 
 def keep(title: str, *lines: str, document) -> None:
-    """Runs lines as one undo step called ``title``, without waiting for the shape.
+    """Run lines as one undo step called `title`, without waiting for a large morph.
 
-    A small morph is solved at once, and an error takes the step back, as in `actions.run`. The
-    shape of a large one comes in the background, and so does what is wrong with it.
+    A small morph is solved at once, and an error undoes the step, as in `actions.run`. The shape of
+    a large one, or its error, arrives in the background.
     """
     before, late = faults.faults_in(document), []
     try:
@@ -26,7 +26,7 @@ def keep(title: str, *lines: str, document) -> None:
                 actions.do(f"{actions.DOCUMENT}.recompute()", document)
                 actions.refuse(faults.new_fault(document, before))
     except MorphError:
-        late = late_in(document)  # FreeCAD counts as due what was taken back
+        late = late_in(document)  # FreeCAD counts the undone changes as due
         if not late:
             document.recompute()
         raise
@@ -36,8 +36,10 @@ def keep(title: str, *lines: str, document) -> None:
 
 
 def present_fault(assembly, live) -> str:
-    """What is wrong with the pose that a panel shows, empty for nothing. ``live``: its LiveUpdate;
-    without one a recompute says at once why there is none."""
+    """Return the fault of the pose in a panel, empty without one.
+
+    `live` is the panel's LiveUpdate. Without one, a recompute gives the reason at once.
+    """
     if live is not None:
         return live.fault
     with actions.waiting():
@@ -46,11 +48,11 @@ def present_fault(assembly, live) -> str:
 
 
 def late_in(document) -> list:
-    """The morphs of a document whose parts are due, if OK may not wait for all of them."""
+    """Return the morphs of a document that are due, if OK cannot wait for all of them."""
     due = due_in(document)
     return [] if all(map(finishing().is_quick, due)) else due
 
 
 def attempt(title: str, *lines: str, document) -> bool:
-    """As :func:`keep`; reports an error, and returns False then."""
+    """Run lines as `keep` does; report an error and return False."""
     return actions.has_done(title, lambda: keep(title, *lines, document=document))

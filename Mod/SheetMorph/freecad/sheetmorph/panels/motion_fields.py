@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The fields of a motion in the Move Handle panel: between widgets and numbers."""
+"""The fields of a motion in the Move Handle panel."""
 
-from freecad.sheetmorph.qt import QtCore, translate
+from freecad.sheetmorph.qt import QtCore, connect, translate
 from freecad.sheetmorph.tools.motion import Motion
 
-PRESSED = "QPushButton:checked { color: black; }"  # dark styles write blue on blue
+PRESSED = "QPushButton:checked { color: black; }"  # dark styles would write blue on blue
 DRIVEN = {
     "translation_x": "TranslationX",
     "translation_y": "TranslationY",
@@ -14,7 +14,7 @@ DRIVEN = {
 
 
 class MotionFields(QtCore.QObject):
-    """Reads and writes the fields; ``changed`` is sent when the user changes one."""
+    """The link from fields to a motion; `changed` is sent when the user changes one."""
 
     changed = QtCore.Signal()
 
@@ -24,18 +24,20 @@ class MotionFields(QtCore.QObject):
         self._is_writing = False
         self._at_centroid = True
         form.angle.measure("deg")
-        form.angle.valueChanged.connect(self._send)
+        connect(form.angle, "valueChanged(double)", self._send)
         for c in "xyz":
-            getattr(form, f"translation_{c}").valueChanged.connect(self._send)
-            getattr(form, f"axis_{c}").valueChanged.connect(self._send)
-            getattr(form, f"pivot_{c}").valueChanged.connect(self._leave_centroid)
+            connect(getattr(form, f"translation_{c}"), "valueChanged(double)", self._send)
+            connect(getattr(form, f"axis_{c}"), "valueChanged(double)", self._send)
+            connect(getattr(form, f"pivot_{c}"), "valueChanged(double)", self._leave_centroid)
             getattr(form, f"along_{c}").setCheckable(True)
             getattr(form, f"along_{c}").setStyleSheet(PRESSED)
-            getattr(form, f"along_{c}").clicked.connect(lambda _=False, d=c: self._turn_about(d))
-        form.centre.clicked.connect(self._return_to_centroid)
+            connect(
+                getattr(form, f"along_{c}"), "clicked()", lambda _=False, d=c: self._turn_about(d)
+            )
+        connect(form.centre, "clicked()", self._return_to_centroid)
 
     def read(self) -> Motion:
-        """The motion the fields say."""
+        """Return the motion in the fields."""
         form = self._form
         shift = tuple(getattr(form, f"translation_{c}").value() for c in "xyz")
         axis = tuple(getattr(form, f"axis_{c}").value() for c in "xyz")
@@ -43,7 +45,7 @@ class MotionFields(QtCore.QObject):
         return Motion(shift, axis, form.angle.value(), None if self._at_centroid else pivot)
 
     def write(self, motion: Motion, pivot) -> None:
-        """Shows a motion without sending ``changed``; ``pivot`` (3,) mm: where the centroid is."""
+        """Show a motion without sending `changed`; `pivot` (3,) mm is the centroid."""
         self._is_writing = True
         self._at_centroid = motion.pivot is None
         shown = pivot if self._at_centroid else motion.pivot
@@ -57,7 +59,7 @@ class MotionFields(QtCore.QObject):
         self._is_writing = False
 
     def show_pivot(self, pivot) -> None:
-        """Shows where the pivot is, (3,) mm, when it is the centroid."""
+        """Show the position of the pivot, (3,) mm, if it is the centroid."""
         if not self._at_centroid:
             return
         self._is_writing = True
@@ -66,7 +68,7 @@ class MotionFields(QtCore.QObject):
         self._is_writing = False
 
     def lock(self, expressions: dict[str, str]) -> None:
-        """Fields that an expression drives cannot be typed into; ``expressions`` by property."""
+        """Lock the fields that an expression drives; `expressions` are by property."""
         for field, owner in DRIVEN.items():
             text = expressions.get(owner, "")
             widget = getattr(self._form, field)
@@ -81,7 +83,7 @@ class MotionFields(QtCore.QObject):
             self.changed.emit()
 
     def _show_direction(self) -> None:
-        """Presses the button of the axis that the fields say, if it is one of the three."""
+        """Press the button of the axis in the fields, if it is x, y or z."""
         axis = self.read().axis
         for k, c in enumerate("xyz"):
             is_along = axis[k] > 0.0 and not any(axis[:k] + axis[k + 1 :])

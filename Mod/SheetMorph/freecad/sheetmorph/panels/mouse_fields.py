@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the mouse does in the 3D view, as the Move Handle panel lets the user choose it."""
+"""The options of the mouse in the Move Handle panel."""
 
 from freecad.sheetmorph import preferences
+from freecad.sheetmorph.qt import connect
 
 
 class MouseFields:
-    """Connects the widgets with the drag; choices are remembered."""
+    """The link from the widgets to the drag; the preferences store the choices."""
 
     def __init__(self, form, drag):
         self._form, self._drag = form, drag
@@ -15,11 +16,11 @@ class MouseFields:
             field.measure(unit)
             field.setMinimum(0.001)
             field.setValue(preferences.get(entry))
-            field.valueChanged.connect(self._choose_steps)
-        form.arrows.toggled.connect(self._show_arrows)
-        form.points.toggled.connect(drag.use_points)
-        form.snap.toggled.connect(self._choose_steps)
-        form.move_pivot.toggled.connect(self._move_pivot)
+            connect(field, "valueChanged(double)", self._choose_steps)
+        connect(form.arrows, "toggled(bool)", self._show_arrows)
+        connect(form.points, "toggled(bool)", drag.use_points)
+        connect(form.snap, "toggled(bool)", self._choose_steps)
+        connect(form.move_pivot, "toggled(bool)", self._move_pivot)
         self._snap()
         drag.show_arrows(form.arrows.isChecked())
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel that moves handles: values change, the view follows, OK keeps, Cancel takes back."""
+"""The panel that moves handles: the view follows the values, OK stores them."""
 
 from functools import partial
 
@@ -22,18 +22,18 @@ from freecad.sheetmorph.panels.motion_fields import MotionFields
 from freecad.sheetmorph.panels.reach_marks import ReachMarks, criteria_of
 from freecad.sheetmorph.interaction.moved_handles import MovedHandles
 from freecad.sheetmorph.panels.show_fields import ShowFields
-from freecad.sheetmorph.qt import QtCore, QtWidgets, number, translate
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, number, translate
 from freecad.sheetmorph.scene.handle_marks import HandleMarks
 from freecad.sheetmorph.scene.legend import ViewLegend
 from freecad.sheetmorph.tools.motion import Motion
 from freecad.sheetmorph.tools.updating import PAUSE, Updating
 
-# Sentences that a panel has room for; the property Warnings of the morph has them all.
+# The panel has room for these; the morph's property Warnings has all.
 MOST_WARNINGS = 3
 
 
 def open_panel(handle):
-    """Opens the panel for a handle; returns the panel, None if the user cancels the set-up."""
+    """Open the panel for a handle; return it, or None if the user cancels the preparation."""
     assembly = model.assembly_of(handle)
     if not progress.prepare(assembly):
         return None
@@ -42,7 +42,7 @@ def open_panel(handle):
 
 
 class MovePanel(Panel):
-    """Moves the handles of one morph; the session has what is pending."""
+    """The panel that moves the handles of one morph; its session has the pending changes."""
 
     width = 400  # for three buttons, in any language
     lines = 4
@@ -82,16 +82,16 @@ class MovePanel(Panel):
     # -- the buttons of the task view
 
     def getStandardButtons(self) -> int:
-        """OK, Apply and Cancel."""
+        """Return OK, Apply and Cancel."""
         return super().getStandardButtons() | number(QtWidgets.QDialogButtonBox.Apply)
 
     def clicked(self, button) -> None:
-        """Apply: as OK, and the panel stays."""
+        """Handle Apply: store the pose as OK does, but keep the panel open."""
         if number(button) == number(QtWidgets.QDialogButtonBox.Apply):
             self.keep()
 
     def keep(self) -> bool:
-        """One undo step: what is seen as it is, and one macro line a handle that does the same."""
+        """Store the pose in one undo step, with one macro line per handle."""
         self._stop_timers()
         fault = self._fields.read().fault()
         say(self.form.axis_message, fault, True)
@@ -114,7 +114,7 @@ class MovePanel(Panel):
         return True
 
     def _let_shapes_follow(self) -> None:
-        """Brings deformed shapes up to date in the same step, and reports one that cannot follow.
+        """Update deformed shapes in the same step, and report one that fails.
 
         They need the final shape, so this waits for it.
         """
@@ -130,28 +130,28 @@ class MovePanel(Panel):
             return
         actions.note(actions.call("update_shapes", actions.name(owner)))
 
-    # -- following fields and mouse; the next five are what HandleDrag asks for
+    # -- following fields and mouse; HandleDrag calls the next five
 
     @property
     def _handle(self):
-        """The handle that is chosen, None if it is gone."""
+        """The chosen handle, None if it was deleted."""
         return self.session.document.getObject(self._name)
 
     def motion(self) -> Motion:
-        """The motion of the chosen handle."""
+        """Return the motion of the chosen handle."""
         return motion_of(self._handle)
 
     def pivot(self) -> tuple:
-        """Where the pivot of the chosen handle is at rest, (3,) mm."""
+        """Return the pivot of the chosen handle at rest, (3,) mm."""
         return self._handles.pivot(self._handle)
 
     def put(self, motion: Motion) -> None:
-        """The mouse changed the motion."""
+        """Apply a motion from the mouse."""
         self._fields.write(motion, self.pivot())
         self._apply()
 
     def settle(self) -> None:
-        """The mouse was released, or nothing changed for a while: now exactly."""
+        """Compute exactly after the mouse was released or a pause."""
         self._pause.stop()
         if self._drag.is_dragging:
             return
@@ -160,7 +160,7 @@ class MovePanel(Panel):
             self._live.ask([self._handle], exact=True)
 
     def grab(self, ray):
-        """Chooses the handle under the mouse, made where there is none; returns its point."""
+        """Choose or create the handle under the mouse; return the position of its vertex."""
         if self._live is None:
             return None
         found = self._live.grab(ray)
@@ -175,7 +175,7 @@ class MovePanel(Panel):
         return found.point
 
     def _make_handle(self, found):
-        """A handle of one vertex; without a solution there is none, and the panel says why."""
+        """Create a handle of one vertex; without a solution show why and return None."""
         handle = self._handles.make(found)
         self._end_live()
         try:
@@ -190,7 +190,7 @@ class MovePanel(Panel):
         return handle
 
     def _start(self) -> None:
-        """Builds the session; if that fails the panel says why, and fields can still be set."""
+        """Start the previews; on failure show why, while the fields still work."""
         try:
             with actions.waiting():
                 self._live = self._new_live()
@@ -210,7 +210,7 @@ class MovePanel(Panel):
         return live
 
     def _ask_reach(self, number: int, criteria: dict) -> bool:
-        """Asks how far a number may go; False while that has to wait."""
+        """Request the range of a number; return False if that has to wait."""
         if self._live is None or self._handle is None:
             return True
         return self._live.ask_reach(self._handle, number, criteria)
@@ -219,7 +219,7 @@ class MovePanel(Panel):
         self.session.later(self._follow)
 
     def _follow(self) -> None:
-        """Shows what an undo, a redo or another command has made of the pose."""
+        """Show the pose after an undo, a redo or another command."""
         self._stop_timers()
         self._handles.look_again()
         handles = self._handles.all
@@ -238,7 +238,7 @@ class MovePanel(Panel):
         self._show()
 
     def _mark_others(self) -> None:
-        """Marks the handles that do not have the arrows, where they are now."""
+        """Mark the handles without arrows at their present positions."""
         places = [moved(self._handles.pivot(h), motion_of(h).translation) for h in self._others]
         arrows = moved(self.pivot(), self.motion().translation)
         self._marks.show(places, arrows)
@@ -251,12 +251,12 @@ class MovePanel(Panel):
         self._choose(self._others[number])
 
     def _on_change(self) -> None:
-        """A field changed."""
+        """Handle a changed field."""
         self._apply()
         self._drag.place()
 
     def _apply(self) -> None:
-        """Sets the properties now, draws when the event loop is free."""
+        """Set the properties now, and draw when the event loop is free."""
         motion = self._fields.read()
         say(self.form.axis_message, motion.fault(), True)
         if motion.fault() or self.session.is_ending:
@@ -269,7 +269,7 @@ class MovePanel(Panel):
             self._frame.start()
 
     def _show(self) -> None:
-        """Asks for the present motion, for the result objects as well when the user pauses."""
+        """Draw the present motion, and update the result objects after a pause."""
         if self._live is not None:
             self._live.ask([self._handle])
         self._pause.start()
@@ -293,7 +293,7 @@ class MovePanel(Panel):
         self._tell_who_stays()
         self._shown.tell()
         if self._live.is_preview and not self._frame.isActive():
-            self._pause.start()  # no preview stays: the exact shape follows
+            self._pause.start()  # the exact shape must follow a preview
 
     def _on_settling(self, task: str) -> None:
         if self._live is not None and self._live.is_preview:
@@ -320,18 +320,18 @@ class MovePanel(Panel):
     def _prepare_widgets(self) -> None:
         form = self.form
         self._fill_list()
-        form.handle.currentIndexChanged.connect(self._on_choice)
+        connect(form.handle, "currentIndexChanged(int)", self._on_choice)
         form.results.setCurrentIndex(self._updating.preference)
-        form.results.currentIndexChanged.connect(self._choose_update)
-        form.reset.clicked.connect(self._reset)
+        connect(form.results, "currentIndexChanged(int)", self._choose_update)
+        connect(form.reset, "clicked()", self._reset)
         self._fields.changed.connect(self._on_change)
         say(form.axis_message, "")
-        # A line from the start: a panel that grows while one clicks takes the click elsewhere.
+        # Text from the start: a panel that grows during a click would move the target.
         say(form.status, translate("SheetMorph_panels", "Nothing has moved yet."))
         self._fill()
 
     def _tell_who_stays(self) -> None:
-        """Says which parts will not follow, as no contact leads there, and other warnings."""
+        """Show the parts that will not follow, and other warnings."""
         assembly = self._handles.assembly
         names, opened = assembly.Unreached, propagation_tree.opened(assembly)
         text = translate("SheetMorph_panels", "Will not follow, no contact leads there: {0}")
@@ -351,14 +351,14 @@ class MovePanel(Panel):
         say(self.form.staying, listed(texts), bool(texts))
 
     def _fill(self) -> None:
-        """Shows the motion of the handle."""
+        """Show the motion of the handle."""
         self._tell_who_stays()
         self._fields.write(self.motion(), self.pivot())
         self._fields.lock({path.lstrip("."): text for path, text in self._handle.ExpressionEngine})
         self.form.rotation.setEnabled(not self._handle.FreeRotation)
 
     def _fill_list(self) -> None:
-        """Lists the handles there are now."""
+        """List the present handles."""
         combo, handles = self.form.handle, self._handles.all
         combo.blockSignals(True)
         combo.clear()
@@ -382,7 +382,7 @@ class MovePanel(Panel):
         preferences.put("UpdateResults", preference)
 
     def _reset(self) -> None:
-        """Back to rest, still within the transaction."""
+        """Return the handle to rest within the transaction."""
         self._fields.write(Motion(), self.pivot())
         self._on_change()
         self._fill()
@@ -391,10 +391,10 @@ class MovePanel(Panel):
         timer = QtCore.QTimer(self.form)
         timer.setSingleShot(True)
         timer.setInterval(milliseconds)
-        timer.timeout.connect(lambda: self.session.when_free(action))
+        connect(timer, "timeout()", lambda: self.session.when_free(action))
         return timer
 
 
 def moved(place, shift) -> tuple:
-    """A place farther by a shift, (3,) mm each."""
+    """Return a place with a shift added, (3,) mm each."""
     return tuple(a + b for a, b in zip(place, shift))

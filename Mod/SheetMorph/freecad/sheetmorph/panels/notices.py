@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The strip at the top of a panel that says what is wrong and what is under way.
+"""The strip at the top of a panel for faults and the status.
 
-Its height is fixed. So nothing below it moves while frames arrive, and a fault is seen without
-scrolling.
+Its height is fixed, so that nothing below it moves while frames arrive, and a fault is visible
+without scrolling.
 """
 
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
 TAKEN = ("staying", "status", "part", "hint", "type_text", "counts")
-"""Labels that change by themselves; they stand below the fault, in this order."""
-PADDING = 10  # px: of the red ground of a fault
+"""Labels with changing text, which follow the fault in this order."""
+PADDING = 10  # px of the red background of a fault
 
 
 class Notices:
-    """Takes the labels of a form that change by themselves into a strip of a fixed height."""
+    """A strip of fixed height for the labels of a form whose text changes."""
 
     def __init__(self, form, lines: int):
-        """``lines``: how many lines of text the strip has room for."""
+        """Create the strip with room for a number of lines of text."""
         column = form.layout()
         self._area = QtWidgets.QScrollArea(form)
         self._area.setObjectName("notices")
@@ -32,7 +32,7 @@ class Notices:
         beside = QtWidgets.QHBoxLayout(first)
         beside.setContentsMargins(0, 0, 0, 0)
         column.removeWidget(form.message)
-        beside.addWidget(form.message, 1)  # the buttons of a fault come beside it
+        beside.addWidget(form.message, 1)  # the buttons of a fault are next to it
         self._lines.addWidget(first)
         self._lines.addStretch(1)
         self._area.setWidget(inside)
@@ -46,6 +46,6 @@ class Notices:
         column.insertWidget(0, self._area)
 
     def take(self, label) -> None:
-        """Lets a label be the last one in the strip."""
+        """Append a label to the strip."""
         label.setWordWrap(True)
         self._lines.insertWidget(self._lines.count() - 1, label)

@@ -1,37 +1,39 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A field for a number, a length or an angle that keeps the number it was given.
+"""A field for a number, a length or an angle that stores its exact value.
 
-The fields of Qt and FreeCAD take their rounded text for the number: 1.2345 mm is 1.23 mm as soon
-as it is shown, 1 mm is 0 where lengths are in feet. And FreeCAD takes a number without a unit for
-one of whatever unit was shown before, of nanometres perhaps.
+The fields of Qt and FreeCAD replace a number by its rounded text: 1.2345 mm becomes 1.23 mm when
+shown, and 1 mm becomes 0 in feet. FreeCAD also reads a number without a unit in the unit shown
+before, which may be nanometres.
 """
+
+from functools import cache
 
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.bridge import units
-from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, connect
 
 LENGTH = "Gui::QuantitySpinBox"  # FreeCAD's field for a length
 REPLACED = (LENGTH, "QDoubleSpinBox")
 COPIED = ("objectName", "toolTip", "minimumSize", "sizePolicy", "suffix", "singleStep")
 COPIED += ("keyboardTracking", "buttonSymbols", "specialValueText")
 FARTHEST = 1e15
-DIGITS = 30  # after the point: Qt rounds the number itself to them
-USUAL = 12345.67  # what there is room for
+DIGITS = 30  # decimals: Qt rounds the stored number to these
+USUAL = 12345.67  # a number that the field must have room for
 
 
 class NumberField(QtWidgets.QDoubleSpinBox):
-    """``value()`` is exact; what is shown has a unit, or ``shown_decimals``.
+    """A field with an exact `value()`, shown with a unit or `shown_decimals`.
 
-    Where the least one has a ``specialValueText``, an empty field stands for it too.
+    If the minimum has a `specialValueText`, an empty field means the minimum too.
     """
 
     def __init__(self, unit: str = "", shown_decimals: int = 2):
-        """``unit``: "mm", "deg" or none."""
+        """Create a field; `unit` is "mm", "deg" or empty."""
         super().__init__()
         self._unit, self._decimals = unit, shown_decimals
-        self._shown = "", 1.0  # and how many mm or degrees its unit has
-        self.editingFinished.connect(self._finish)
+        self._shown = "", 1.0  # the text, and the size of its unit in mm or degrees
+        connect(self, "editingFinished()", self._finish)
         self.setDecimals(DIGITS)
         self.setRange(-FARTHEST, FARTHEST)
 
@@ -41,7 +43,7 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         return self.hasFocus() and self.lineEdit().isModified()
 
     def setValue(self, value: float) -> None:
-        """Shows a value, except where the user is typing another one: that one will count."""
+        """Set the value, unless the user is typing another one."""
         if not self.is_edited:
             super().setValue(value)
 
@@ -49,32 +51,32 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         self.lineEdit().setModified(False)
 
     def measure(self, unit: str) -> None:
-        """Is for lengths, "mm", or angles, "deg"."""
+        """Set the unit, "mm" for lengths or "deg" for angles."""
         self._unit = unit
         self.setValue(self.value())
 
     def textFromValue(self, value: float) -> str:
-        """The number as it is read, without what Qt puts behind it."""
+        """Return the number as text, without the suffix that Qt adds."""
         said = self._said(value)
         if value == self.value():
             self._shown = said
         return said[0]
 
     def valueFromText(self, text: str) -> float:
-        """What was typed; of what is shown the number itself."""
+        """Return the typed value; for the shown text, the exact value."""
         if self._is_special(text):
             return self.minimum()
         found = None if text == self._shown[0] + self.suffix() else self._typed(text)
         return self.value() if found is None else found
 
     def validate(self, text: str, place: int):
-        """Everything may be typed on the way; what says no number is not taken."""
+        """Accept any text while typing, but only numbers as final."""
         is_said = self._is_special(text) or self._typed(text) is not None
         states = QtGui.QValidator
         return (states.Acceptable if is_said else states.Intermediate, text, place)
 
     def sizeHint(self):
-        """Room for usual numbers, not for the farthest."""
+        """Return a size for usual numbers, not for the largest."""
         option = QtWidgets.QStyleOptionSpinBox()
         self.initStyleOption(option)
         room, ends = self.fontMetrics().horizontalAdvance, (self.minimum(), self.maximum())
@@ -85,14 +87,14 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         return self.style().sizeFromContents(QtWidgets.QStyle.CT_SpinBox, option, size, self)
 
     def minimumSizeHint(self):
-        """As much."""
+        """Return the same size."""
         return self.sizeHint()
 
     def _is_special(self, text: str) -> bool:
         return bool(self.specialValueText()) and text.strip() in ("", self.specialValueText())
 
     def _typed(self, text: str):
-        """A number without a unit is one of the unit that is shown; None if it says nothing."""
+        """Return the typed number, in the shown unit if it has none; None if it is invalid."""
         text = text.replace(self.suffix().strip() or " ", " ")
         return units.number_in(text, self._unit, self._shown[1])
 
@@ -102,12 +104,18 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         return units.said(value, self._unit)
 
 
+@cache
+def loader():
+    """Return the one loader of Qt Designer files: each loader leaks a little memory."""
+    return Gui.UiLoader()
+
+
 def loaded(file: str):
-    """The widgets of a file of Qt Designer; all its fields for numbers are ones of this kind."""
-    form = Gui.PySideUic.loadUi(file)
+    """Return the widgets of a Qt Designer file, with its number fields replaced."""
+    form = loader().load(file)
     layouts = form.findChildren(QtWidgets.QLayout)
     for name, widget in list(vars(form).items()):
-        # widget.metaObject() would say so too, but PySide never frees what it returns.
+        # widget.metaObject() would give the class too, but PySide never frees its result.
         if isinstance(widget, QtWidgets.QWidget) and any(map(widget.inherits, REPLACED)):
             layout = next(one for one in layouts if one.indexOf(widget) >= 0)
             setattr(form, name, replaced(widget, layout))
@@ -115,7 +123,7 @@ def loaded(file: str):
 
 
 def replaced(old, layout) -> NumberField:
-    """A field in the place of an old one, which goes."""
+    """Return a field that replaces an old one, which is deleted."""
     is_length = old.inherits(LENGTH)
     new = NumberField("mm") if is_length else NumberField("", old.property("decimals"))
     low, high = float(old.property("minimum")), float(old.property("maximum"))
@@ -127,7 +135,7 @@ def replaced(old, layout) -> NumberField:
     new.setValue(float(old.property("rawValue" if is_length else "value")))
     layout.replaceWidget(old, new)
     QtWidgets.QWidget.setTabOrder(old, new)
-    old.setObjectName("")  # it stays for a moment
+    old.setObjectName("")  # it exists for a moment longer
     old.hide()
     old.deleteLater()
     return new

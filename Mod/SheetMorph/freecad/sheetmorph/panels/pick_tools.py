@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The widgets that pick, the same in every panel: what a click takes, and what to do with it."""
+"""The picking widgets that all panels share."""
 
 import math
 
 from freecad.sheetmorph import paths, preferences
 from freecad.sheetmorph.panels.number_field import loaded
-from freecad.sheetmorph.qt import icon_of, translate
+from freecad.sheetmorph.qt import connect, icon_of, translate
 from freecad.sheetmorph.tools import figures, picking
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
@@ -21,7 +21,8 @@ ONLY_FOR = {
     "radius": (figures.BRUSH,),
 }
 CHOSEN = (
-    "QToolButton:checked { border: 2px solid #4a90d9; border-radius: 3px;"  # in dark styles too
+    # visible in dark styles too
+    "QToolButton:checked { border: 2px solid #4a90d9; border-radius: 3px;"
     " background: rgba(74, 144, 217, 70); }"
 )
 KEYS = QT_TRANSLATE_NOOP("SheetMorph_picking", "Click picks, Shift adds, Ctrl removes.")
@@ -41,10 +42,10 @@ HINTS = {
 
 
 class PickTools:
-    """Lets widgets act on a picker; they go into the layout ``pick_column`` of a form."""
+    """Widgets that act on a picker, in the layout `pick_column` of a form."""
 
     def __init__(self, form, picker, on_change):
-        """``on_change()`` is called when a button has picked or taken back."""
+        """Create the widgets; a button that changes the picks calls `on_change()`."""
         self._on_change = on_change
         self._tool = picking.FACE
         self._form = widgets = loaded(paths.panel("picking"))
@@ -55,26 +56,27 @@ class PickTools:
         widgets.angle.setValue(preferences.get("CreaseAngle"))
         widgets.rings.setValue(preferences.get("HoleRings"))
         widgets.radius.setValue(preferences.get("BrushRadius"))
-        for field in (widgets.angle, widgets.rings, widgets.radius):
-            field.valueChanged.connect(self._apply)
-        widgets.through.toggled.connect(self._apply)
+        connect(widgets.angle, "valueChanged(double)", self._apply)
+        for field in (widgets.rings, widgets.radius):
+            connect(field, "valueChanged(int)", self._apply)
+        connect(widgets.through, "toggled(bool)", self._apply)
         for mode in MODES:
-            getattr(widgets, f"mode_{mode}").toggled.connect(self._apply)
+            connect(getattr(widgets, f"mode_{mode}"), "toggled(bool)", self._apply)
         for tool, icon in ICONS.items():
             button = getattr(widgets, tool)
             button.setIcon(icon_of(paths.icon(icon)))
-            button.clicked.connect(lambda _=False, t=tool: self.choose(t))
+            connect(button, "clicked()", lambda _=False, t=tool: self.choose(t))
         for button, step in STEPS.items():
-            getattr(widgets, button).clicked.connect(lambda _=False, s=step: self._do(s))
+            connect(getattr(widgets, button), "clicked()", lambda _=False, s=step: self._do(s))
         self.use(picker)
 
     def use(self, picker) -> None:
-        """Acts on a picker from now on; None: on nothing."""
+        """Act on a picker from now on; None for none."""
         self._picker = picker
         self._apply()
 
     def choose(self, tool: str) -> None:
-        """Chooses what a click takes."""
+        """Choose the target of a click."""
         self._tool = tool
         getattr(self._form, tool).setChecked(True)
         for field, tools in ONLY_FOR.items():
@@ -85,22 +87,22 @@ class PickTools:
 
     @property
     def hint(self):
-        """The label that says how the chosen tool is used."""
+        """The label that explains the chosen tool."""
         return self._form.hint
 
     def offer_holes(self, is_offered: bool) -> None:
-        """Shows or hides the button that picks all holes at once."""
+        """Show or hide the button that picks all holes."""
         self._form.holes.setVisible(is_offered)
 
     def turn_wheel(self, steps: float) -> None:
-        """Changes the radius of the brush."""
+        """Change the radius of the brush."""
         radius = self._form.radius.value()
         wanted = figures.resized(radius, steps)
         step = 1 if steps > 0 else -1
         self._form.radius.setValue(round(wanted) if round(wanted) != radius else radius + step)
 
     def show_state(self) -> None:
-        """Buttons that would do nothing are off."""
+        """Disable the buttons that have no effect now."""
         self._form.back.setEnabled(bool(self._picker and self._picker.can_go_back))
 
     def _mode(self) -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel that blends two poses with a slider and says how far they are apart."""
+"""The panel that blends two poses with a slider and shows their distance."""
 
 from functools import partial
 
@@ -13,7 +13,7 @@ from freecad.sheetmorph.panels import keeping, progress
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.interaction.live_update import LiveUpdate
-from freecad.sheetmorph.qt import QtCore, translate
+from freecad.sheetmorph.qt import QtCore, connect, translate
 from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 from freecad.sheetmorph.tools.updating import ON_OK, PAUSE, Updating
@@ -22,7 +22,10 @@ REST = QT_TRANSLATE_NOOP("SheetMorph_panels", "At rest")
 
 
 def open_panel(assembly, pose):
-    """Opens the panel from rest to a pose; returns it, None if the user cancels the set-up."""
+    """Open the panel from rest to a pose; return it.
+
+    Returns None if another panel is open or the user cancels the preparation.
+    """
     if Gui.Control.activeDialog() or not progress.prepare(assembly):
         return None
     session = EditingSession(assembly.Document, [assembly, *assembly.Group])
@@ -30,7 +33,7 @@ def open_panel(assembly, pose):
 
 
 class PosePanel(Panel):
-    """Blends two poses; OK keeps what is seen, Cancel takes it back."""
+    """The panel that blends two poses; OK stores the displayed one."""
 
     def __init__(self, session, assembly, pose):
         super().__init__(session, "pose", "BlendPoses", "Blend Poses")
@@ -41,7 +44,7 @@ class PosePanel(Panel):
         self._shares = []  # (snapshot, fields) of every blend that was shown for a while
         self._live = None
         self._pause = QtCore.QTimer(self.form, singleShot=True, interval=round(1000 * PAUSE))
-        self._pause.timeout.connect(lambda: session.when_free(self._settle))
+        connect(self._pause, "timeout()", lambda: session.when_free(self._settle))
         self._faults = FaultBar(self.form, session, assembly)
         self._faults.mended.connect(self._follow_later)
         self._prepare_widgets(pose)
@@ -53,7 +56,7 @@ class PosePanel(Panel):
         self._choose()
 
     def keep(self) -> bool:
-        """OK: one undo step of what is seen, one macro line."""
+        """Store the displayed pose in one undo step, with one macro line."""
         line = self._line()
         self._pending.gather()
         is_new = bool(self._pending.is_open and line)
@@ -79,10 +82,10 @@ class PosePanel(Panel):
         form.second.setCurrentIndex(self._poses.index(pose))
         form.slider.setValue(100)
         form.percent.setValue(100)
-        form.first.currentIndexChanged.connect(self._choose)
-        form.second.currentIndexChanged.connect(self._choose)
-        form.slider.valueChanged.connect(form.percent.setValue)
-        form.percent.valueChanged.connect(self._on_percent)
+        connect(form.first, "currentIndexChanged(int)", self._choose)
+        connect(form.second, "currentIndexChanged(int)", self._choose)
+        connect(form.slider, "valueChanged(int)", form.percent.setValue)
+        connect(form.percent, "valueChanged(double)", self._on_percent)
 
     def _start(self) -> None:
         try:
@@ -103,7 +106,7 @@ class PosePanel(Panel):
             self._live.hush()
 
     def _settle(self) -> None:
-        """What is seen for a while is what an undo comes back to."""
+        """Make the present pose a step to which an undo returns."""
         self._pending.settle()
         self._shares.append((snapshot(self._assembly), self._given()))
 
@@ -111,7 +114,7 @@ class PosePanel(Panel):
         self.session.later(self._follow)
 
     def _follow(self) -> None:
-        """Shows what an undo, a redo or another command has made of the pose."""
+        """Show the pose after an undo, a redo or another command."""
         now = snapshot(self._assembly)
         given = next((fields for kept, fields in reversed(self._shares) if kept == now), None)
         if given is not None:
@@ -142,7 +145,7 @@ class PosePanel(Panel):
         return self._poses[form.first.currentIndex()], self._poses[form.second.currentIndex()]
 
     def _choose(self, *_) -> None:
-        """Says how far the two are apart, and shows where the slider is."""
+        """Show the distance between the two poses, and the pose of the slider."""
         pair = self._pair()
         if pair == (None, None):
             say(self.form.apart, translate("SheetMorph_panels", "Choose a pose."))
@@ -172,7 +175,7 @@ class PosePanel(Panel):
         self.form.slider.blockSignals(False)
 
     def _line(self) -> str:
-        """The call of the API that does what is seen; empty if nothing is chosen."""
+        """Return the API call for the displayed pose, empty without a choice."""
         if self._pair() == (None, None):
             return ""
         ends = ["None" if pose is None else name(pose) for pose in self._pair()]
@@ -180,7 +183,7 @@ class PosePanel(Panel):
 
 
 def described(document, apart: dict) -> str:
-    """How far two poses are apart, the part with the largest distance first."""
+    """Return the distance between two poses as text, the part with the largest first."""
     ordered = sorted(apart, key=lambda part: -apart[part][0])
     lines = [translate("SheetMorph_panels", "Largest and mean distance, mm")]
     for part in ordered[:5]:

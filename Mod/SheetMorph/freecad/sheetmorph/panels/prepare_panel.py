@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel that prepares a mesh: what is wrong with it, the cures, and a preview of them."""
+"""The panel that prepares a mesh: its faults, the repairs and their preview."""
 
 import html
 
@@ -12,7 +12,7 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import differences
 from freecad.sheetmorph.panels.base import Panel, say
-from freecad.sheetmorph.qt import translate
+from freecad.sheetmorph.qt import connect, translate
 from freecad.sheetmorph.scene.highlight import PartLight
 from freecad.sheetmorph.scene.looking import look_at
 from freecad.sheetmorph.scene.mesh_preview import MeshPreview
@@ -20,7 +20,7 @@ from freecad.sheetmorph.tools import cures, words
 
 
 def open_panel(part):
-    """Opens the panel for a part; returns the panel."""
+    """Open the panel for a part, and return it."""
     with actions.waiting():
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(part)
@@ -28,9 +28,9 @@ def open_panel(part):
 
 
 def offer(parts: list) -> None:
-    """Opens the panel for the first of some new parts that needs a cure.
+    """Open the panel for the first of some new parts that needs a repair.
 
-    Nothing changes unless the user says OK.
+    Nothing changes until the user presses OK.
     """
     if Gui.Control.activeDialog():
         return
@@ -45,7 +45,7 @@ def offer(parts: list) -> None:
 
 
 class PreparePanel(Panel):
-    """OK is one undo step; Cancel leaves everything as it was."""
+    """The panel for one part; OK is one undo step."""
 
     width = 420
 
@@ -61,7 +61,7 @@ class PreparePanel(Panel):
         self._offer()
 
     def keep(self) -> bool:
-        """OK: cures the part."""
+        """Repair the part."""
         if self._has_fault():
             return False
         lines = self._lines()
@@ -75,12 +75,12 @@ class PreparePanel(Panel):
         except actions.FAULTS as error:
             say(self.form.message, str(error), True)
             return False
-        if not self._wish().is_split:  # else the part is gone
+        if not self._wish().is_split:  # splitting removes the part
             differences.tell(self._part.Document, api.preparation_of(self._part))
         return True
 
     def _show_part(self) -> None:
-        """Which one it is, where there are others: tinted, and brought into view."""
+        """Tint the part and move the camera to it, if the morph has several."""
         part = self._part
         if len(model.parts(model.assembly_of(part))) > 1:
             triangles = seen.triangles(part)
@@ -90,7 +90,7 @@ class PreparePanel(Panel):
     # -- the diagnosis
 
     def _offer(self) -> None:
-        """Ticks the cures that the diagnosis offers."""
+        """Check the repairs that the diagnosis offers."""
         form, wish = self.form, cures.offered(self._found)
         form.unit.setCurrentText(cures.unit_of(self._found))
         form.scale.setChecked(wish.scale != 1.0)
@@ -105,12 +105,12 @@ class PreparePanel(Panel):
         self._tell()
 
     def _is_marked(self) -> bool:
-        """Whether there is anything on the part that lies on one piece of it."""
+        """Return whether the part has a region or a contact."""
         owner = model.assembly_of(self._part)
         return bool(model.regions(owner, self._part) or model.contacts(owner, self._part))
 
     def _tell(self, *_) -> None:
-        """Shows the diagnosis, and proposes lengths, in the unit that is chosen."""
+        """Show the diagnosis, and propose lengths in the chosen unit."""
         form, found, scale = self.form, self._found, self._wish().scale
         if scale != 1.0:
             with actions.waiting():
@@ -122,7 +122,7 @@ class PreparePanel(Panel):
         form.edge.setValue(suggested)
         self._refresh()
 
-    # -- what is asked for
+    # -- the chosen repairs
 
     def _wish(self) -> cures.Wish:
         form = self.form
@@ -136,7 +136,7 @@ class PreparePanel(Panel):
         )
 
     def _has_fault(self) -> bool:
-        """Whether the tolerance says nothing; that is told."""
+        """Return whether the tolerance is invalid, after reporting it."""
         form = self.form
         given = units.number_in(form.tolerance.text(), "mm")
         text = translate(
@@ -147,7 +147,7 @@ class PreparePanel(Panel):
         return is_wrong
 
     def _lines(self) -> list[str]:
-        """The API calls that do what is asked for."""
+        """Return the API calls for the chosen repairs."""
         wish, part = self._wish(), name(self._part)
         lines = []
         if wish.changes_mesh():
@@ -162,7 +162,7 @@ class PreparePanel(Panel):
     # -- the preview
 
     def _show_preview(self) -> None:
-        """Computes the new mesh and draws it in place of the part."""
+        """Compute the new mesh and draw it in place of the part."""
         self._end_preview()
         if self._has_fault():
             return
@@ -177,7 +177,7 @@ class PreparePanel(Panel):
         except actions.FAULTS as error:
             self._tell_fault(error)
             return
-        if self.session.is_over:  # while the progress was shown
+        if self.session.is_over:  # the session may have ended during the computation
             return
         self._light.show()
         view = self.session.view
@@ -202,15 +202,15 @@ class PreparePanel(Panel):
         say(form.message, "")
         for unit, scale in cures.units().items():
             form.unit.addItem(unit, scale)
-        form.scale.clicked.connect(self._tell)
-        form.unit.activated.connect(self._tell)
+        connect(form.scale, "clicked()", self._tell)
+        connect(form.unit, "activated(int)", self._tell)
         for box in (form.weld, form.remesh):
-            box.toggled.connect(self._refresh)
-        form.tolerance.textEdited.connect(self._refresh)
-        form.preview.clicked.connect(self._show_preview)
+            connect(box, "toggled(bool)", self._refresh)
+        connect(form.tolerance, "textEdited(QString)", self._refresh)
+        connect(form.preview, "clicked()", self._show_preview)
 
     def _refresh(self, *_) -> None:
-        """Fields that mean nothing now are grey; a preview of something else goes."""
+        """Disable the fields without effect, and remove an outdated preview."""
         form = self.form
         form.tolerance.setEnabled(form.weld.isChecked())
         form.unit.setEnabled(form.scale.isChecked())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Builds what a live view needs, with progress and Cancel."""
+"""The preparation of a live view, with progress and Cancel."""
 
 from contextlib import closing, suppress
 
@@ -9,9 +9,9 @@ from freecad.sheetmorph.progress_dialog import Progress
 
 
 def prepare(assembly) -> bool:
-    """Builds what a live view needs, which takes seconds for large parts; False if cancelled.
+    """Prepare a live view, which takes seconds for large parts; return False if cancelled.
 
-    An error is left to whoever needs the result: it will be met again and told there.
+    Errors are ignored here, because the later use of the result raises them again.
     """
     progress = Progress("Preparing the morph")
     with suppress(*actions.FAULTS), closing(progress), reporting.told_to(progress):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel that shows how the motion goes from part to part, and lets the user steer it."""
+"""The panel that shows and controls how the motion propagates from part to part."""
 
 import FreeCADGui as Gui
 
@@ -13,20 +13,20 @@ from freecad.sheetmorph.interaction import control_meshes
 from freecad.sheetmorph.interaction.finishing import finishing
 from freecad.sheetmorph.panels import contact_types, keeping, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, listed, say
-from freecad.sheetmorph.qt import QtWidgets, number, translate
+from freecad.sheetmorph.qt import QtWidgets, connect, number, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
 from freecad.sheetmorph.scene.wireframe import Wireframe
 
 
 def open_panel(assembly):
-    """Opens the panel for a morph; returns the panel."""
+    """Open the panel for a morph, and return it."""
     session = EditingSession(assembly.Document, [assembly], goes_with_undo=True)
     return PropagationPanel.opened(session, assembly)
 
 
 class PropagationPanel(Panel):
-    """Every change is an undo step and a macro line of its own; there is nothing to cancel."""
+    """A panel without Cancel, in which every change is an undo step and a macro line."""
 
     width = 460  # for names in a tree
 
@@ -46,22 +46,22 @@ class PropagationPanel(Panel):
         self._fill()
 
     def getStandardButtons(self) -> int:
-        """Only Close."""
+        """Return Close only."""
         return number(QtWidgets.QDialogButtonBox.Close)
 
     def isAllowedAlterSelection(self) -> bool:
-        """What is clicked in the panel is selected in the document."""
+        """Return True, since a click in the panel selects in the document."""
         return True
 
     @property
     def _chosen(self):
-        """The object of the row that is chosen, None if there is none any more."""
+        """The object of the chosen row, None if it was deleted."""
         return self._assembly.Document.getObject(self._chosen_name) if self._chosen_name else None
 
-    # -- what the user changes
+    # -- changes by the user
 
     def _change(self, title: str, function: str, *arguments: str, **keywords: str) -> None:
-        """Does it as one undo step, and shows what has become of it."""
+        """Make a change in one undo step, and show the result."""
         if not self._is_filling:
             keeping.attempt(
                 title, call(function, *arguments, **keywords), document=self._assembly.Document
@@ -96,10 +96,10 @@ class PropagationPanel(Panel):
     def _make_primary(self, *_) -> None:
         self._change("Set as Primary", "set_primary", name(self._assembly), name(self._chosen))
 
-    # -- what the user sees
+    # -- the display
 
     def _fill(self) -> None:
-        """Shows the morph as it is in the document."""
+        """Show the morph of the document."""
         self._is_filling = True
         form = self.form
         form.kind.setCurrentIndex(PROPAGATIONS.index(self._assembly.Propagation))
@@ -126,16 +126,16 @@ class PropagationPanel(Panel):
         self._choose()
 
     def _fill_when_done(self, assembly) -> None:
-        """The parts have followed a change."""
+        """Show the morph after its parts have followed a change."""
         if assembly == self._assembly:
             self._fill()
 
     def _has_meshes(self) -> bool:
-        """Whether control meshes and modes have any effect."""
+        """Return whether control meshes and modes have any effect."""
         return self._assembly.Propagation != WHOLE
 
     def _hint(self, opened: list) -> str:
-        """What to do next, if anything."""
+        """Return a hint about the next action, empty without one."""
         if not self._steps:
             return (
                 ""
@@ -148,7 +148,7 @@ class PropagationPanel(Panel):
         return listed(hints)
 
     def _choose(self) -> None:
-        """Shows what belongs to the row that is chosen."""
+        """Show the details of the chosen row."""
         if self._is_filling:
             return
         row = self.form.tree.currentItem()
@@ -161,7 +161,7 @@ class PropagationPanel(Panel):
             Gui.Selection.addSelection(self._chosen)
 
     def _show_details(self) -> None:
-        """The fields of a part or of a contact."""
+        """Show the fields of a part or of a contact."""
         form, chosen = self.form, self._chosen
         kind = model.kind(chosen) if chosen else ""
         self._is_filling = True
@@ -184,7 +184,7 @@ class PropagationPanel(Panel):
         self._is_filling = False
 
     def _contacts(self) -> list:
-        """The contacts of the row that is chosen: itself, or those that drive its part."""
+        """Return the chosen contact, or the contacts that drive the chosen part."""
         if self._chosen is None:
             return []
         if model.kind(self._chosen) == model.CONTACT:
@@ -192,7 +192,7 @@ class PropagationPanel(Panel):
         return [c for step in self._steps if step.part == self._chosen for c in step.contacts]
 
     def _show_highlight(self) -> None:
-        """Tints the parts, and colours both sides of the contacts."""
+        """Tint the parts, and colour both sides of the contacts."""
         self._highlight.clear()
         sides = [
             (part, model.contact_vertices(contact, side), colours.SIDES[side])
@@ -209,7 +209,7 @@ class PropagationPanel(Panel):
             self._highlight.paint(part.ViewObject, seen.triangles(part), colour, vertices)
 
     def _show_meshes(self, is_shown: bool) -> None:
-        """Control meshes in the view, or none."""
+        """Show or hide the control meshes in the view."""
         self._remove_wires()
         if is_shown:
             self._wires = Wireframe(self.session.view)
@@ -221,7 +221,7 @@ class PropagationPanel(Panel):
         self._wires = None
 
     def _draw_meshes(self) -> None:
-        """The control mesh of the contact that is chosen, else of all that have one."""
+        """Draw the control mesh of the chosen contact, else all of them."""
         if self._wires is None or finishing().is_due(self._assembly):
             return
         try:
@@ -239,13 +239,13 @@ class PropagationPanel(Panel):
         form = self.form
         contact_types.fill(form.type, contact_types.TYPE_NAMES, contact_types.TYPE_TEXTS)
         contact_types.fill(form.mode, contact_types.MODE_NAMES, contact_types.MODE_TEXTS)
-        form.kind.currentIndexChanged.connect(self._change_propagation)
-        form.levels.valueChanged.connect(self._change_propagation)
-        form.smoothness.valueChanged.connect(self._change_propagation)
-        form.unheld.activated.connect(self._change_unheld)
-        form.tree.itemSelectionChanged.connect(self._choose)
-        form.mode.activated.connect(self._change_mode)
-        form.primary.clicked.connect(self._make_primary)
-        form.type.activated.connect(self._change_type)
-        form.active.clicked.connect(self._change_active)
-        form.meshes.toggled.connect(self._show_meshes)
+        connect(form.kind, "currentIndexChanged(int)", self._change_propagation)
+        connect(form.levels, "valueChanged(int)", self._change_propagation)
+        connect(form.smoothness, "valueChanged(double)", self._change_propagation)
+        connect(form.unheld, "activated(int)", self._change_unheld)
+        connect(form.tree, "itemSelectionChanged()", self._choose)
+        connect(form.mode, "activated(int)", self._change_mode)
+        connect(form.primary, "clicked()", self._make_primary)
+        connect(form.type, "activated(int)", self._change_type)
+        connect(form.active, "clicked()", self._change_active)
+        connect(form.meshes, "toggled(bool)", self._show_meshes)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tree of the Propagation panel: parts under what they follow, contacts under their part."""
+"""The tree of the Propagation panel: parts below those they follow, with their contacts."""
 
 from freecad.sheetmorph import paths
 from freecad.sheetmorph.objects import model
@@ -8,12 +8,12 @@ from freecad.sheetmorph.qt import QtCore, QtWidgets, icon_of, translate
 
 OBJECT = QtCore.Qt.UserRole
 HINT = "Parts not reached stay at rest: mark a contact that joins them to a part above."
-ROW, LOW, HIGH = 18, 160, 420  # px: a row, and the tree at least and at most
+ROW, LOW, HIGH = 18, 160, 420  # px: height of a row, least and largest height of the tree
 IDLE = "Contacts that move nothing: switched off, between parts not reached, or not needed."
 
 
 def fill(tree, assembly, steps) -> None:
-    """Shows the steps of ``api.propagation`` and, last, what is not reached or not used."""
+    """Show the steps of `api.propagation`, and last what is unreached or unused."""
     tree.clear()
     rows, used = {}, set()
     for step in steps:
@@ -35,7 +35,7 @@ def fill(tree, assembly, steps) -> None:
 
 
 def row_of(tree, obj_name: str):
-    """The first row of an object, None if there is none."""
+    """Return the first row of an object, None without one."""
     flags = QtWidgets.QTreeWidgetItemIterator.All
     found = QtWidgets.QTreeWidgetItemIterator(tree, flags)
     while found.value() is not None:
@@ -46,12 +46,12 @@ def row_of(tree, obj_name: str):
 
 
 def _count(row) -> int:
-    """How many rows are beneath a row."""
+    """Return the number of rows below a row."""
     return sum(1 + _count(row.child(k)) for k in range(row.childCount()))
 
 
 def sources(step) -> list:
-    """The parts a step's part follows, in the order of its contacts."""
+    """Return the parts that a step's part follows, in the order of its contacts."""
     return [c.PartB if c.PartA == step.part else c.PartA for c in step.contacts]
 
 
@@ -94,17 +94,17 @@ def _add_contact(above, contact, origin: str) -> None:
 
 
 def opened(assembly) -> list:
-    """The contacts that open or close too far."""
+    """Return the contacts that open or close too far."""
     return [contact for contact in model.contacts(assembly) if contact.Active and contact.Warning]
 
 
 def warning_icon():
-    """The sign beside what is likely not wanted."""
+    """Return the icon for a likely fault."""
     return QtWidgets.QApplication.style().standardIcon(QtWidgets.QStyle.SP_MessageBoxWarning)
 
 
 def _add_group(tree, title: str, objects, hint: str) -> None:
-    """A row with others beneath; none if there are none."""
+    """Add a row with others below it, if there are any."""
     if not objects:
         return
     group = QtWidgets.QTreeWidgetItem(tree, [title])
@@ -130,5 +130,5 @@ def _parts_of(contact) -> str:
 
 
 def _millimetres(value: float) -> str:
-    """A small length as a person reads it."""
+    """Return a small length as text."""
     return f"{value:.3f}" if value >= 0.0005 or value == 0.0 else "< 0.001"

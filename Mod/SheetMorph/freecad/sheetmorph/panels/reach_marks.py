@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far the value that is changed may go, as marks on a scale in the Move Handle panel."""
+"""The possible range of the changed value as a scale in the Move Handle panel."""
 
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.base import say
-from freecad.sheetmorph.qt import QtCore, QtGui, translate
+from freecad.sheetmorph.qt import QtCore, QtGui, connect, translate
 from freecad.sheetmorph.tools import studies, words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 from freecad.sheetmorph.tools.motion import Motion
 from freecad.sheetmorph.tools.reach_scale import scale_for
 
-CALM = 300  # ms without a change until it is looked for; and between two looks whether it may be
+CALM = 300  # ms without a change until the search, and between two attempts to start it
 HEIGHT, GROOVE = 18, 6  # px
 POSSIBLE, BEYOND = "#2e9e5b", "#d64545"  # on any theme
 NUMBERS = ("X", "Y", "Z", QT_TRANSLATE_NOOP("SheetMorph_panels", "The angle"))
@@ -18,7 +18,7 @@ TURNS_OVER = QT_TRANSLATE_NOOP("SheetMorph_panels", "a triangle turns over")
 
 
 def criteria_of(assembly) -> dict:
-    """What must hold beside that no triangle turns over: what the last study of a morph asks."""
+    """Return the criteria of a morph's last study; flipped triangles always fail."""
     for study in reversed(model.studies(assembly)):
         try:
             return studies.criteria_in(study.Criteria)
@@ -28,9 +28,10 @@ def criteria_of(assembly) -> dict:
 
 
 class ReachMarks(QtCore.QObject):
-    """A scale of the number that was changed last, red where it is not possible.
+    """A scale of the number that changed last, red where a value is impossible.
 
-    ``ask(number, criteria)`` asks for it, False if that has to wait; ``on_reached`` is told.
+    `ask(number, criteria)` requests the range and returns False if that has to wait. `on_reached`
+    receives the answer.
     """
 
     def __init__(self, form, criteria: dict, ask):
@@ -38,13 +39,13 @@ class ReachMarks(QtCore.QObject):
         self._form, self._criteria, self._ask = form, criteria, ask
         self._number, self._value, self._reached = None, 0.0, None
         self._calm = QtCore.QTimer(self, singleShot=True, interval=CALM)
-        self._calm.timeout.connect(self._look)
+        connect(self._calm, "timeout()", self._look)
         form.reach_text.setFixedHeight(2 * form.fontMetrics().lineSpacing())
         form.reach_text.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
         self._show()
 
     def follow(self, before: Motion, now: Motion) -> None:
-        """A value was changed; marks of another one, or of another pose, are taken away."""
+        """Handle a changed value, and remove the marks of another value or pose."""
         pairs = zip((*before.translation, before.angle), (*now.translation, now.angle))
         changed = [k for k, (old, new) in enumerate(pairs) if old != new]
         is_one = len(changed) == 1 and (before.axis, before.pivot) == (now.axis, now.pivot)
@@ -59,17 +60,17 @@ class ReachMarks(QtCore.QObject):
         self._show()
 
     def forget(self) -> None:
-        """Another handle, or another pose: nothing is known."""
+        """Remove the marks, because the handle or the pose has changed."""
         self.stop()
         self._number = self._reached = None
         self._show()
 
     def stop(self) -> None:
-        """Nothing is asked for any more until the next change."""
+        """Request nothing until the next change."""
         self._calm.stop()
 
     def on_reached(self, reached) -> None:
-        """How far it may go; None if something else was asked meanwhile: it is looked for again."""
+        """Show the range; None means that another question came first, so search again."""
         if reached is None:
             self._calm.start()
         elif reached.question.number == self._number:
@@ -91,7 +92,7 @@ class ReachMarks(QtCore.QObject):
         say(form.reach_text, self._text())
 
     def _text(self) -> str:
-        """From where to where, and what breaks where the value is, or beyond the nearer end."""
+        """Return the range, and what fails at the value or beyond the nearer end."""
         (low, high), whys = self._reached.ends, self._reached.whys
         unit = "°" if self._number == len(NUMBERS) - 1 else " mm"
         text = translate("SheetMorph_panels", "{0}: {1} to {2}{3}").format(
@@ -109,7 +110,7 @@ class ReachMarks(QtCore.QObject):
         return translate("SheetMorph_panels", "{0}; beyond: {1}").format(text, reason)
 
     def _picture(self):
-        """The scale, a QPixmap as wide as its label."""
+        """Return the scale as a QPixmap as wide as its label."""
         ends, whys = self._reached.ends, self._reached.whys
         ratio = self._form.reach.devicePixelRatioF()
         width = max(60, self._form.reach.width())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel in which a region is picked."""
+"""The panel that picks a region."""
 
 import json
 
@@ -38,27 +38,27 @@ FUNCTIONS |= {"follower": "add_follower"}
 
 
 def create(part, role: str):
-    """Opens the panel for a new region, or new form features, of a part; returns the panel."""
+    """Open the panel for a new region, or new form features, of a part; return it."""
     return RegionPanel.opened(session_on(part), part, role)
 
 
 def edit(region):
-    """Opens the panel for a region that exists; returns the panel."""
+    """Open the panel for an existing region, and return it."""
     if region.Part is None:
         raise ValueError(f"Region '{region.Label}' has lost its part; delete the region.")
     return RegionPanel.opened(session_on(region.Part, region), region.Part, region.Role, region)
 
 
 def session_on(part, *needed) -> EditingSession:
-    """A session for picking on the parts of a morph; without any of them it ends."""
+    """Return a session on all parts of a morph, which ends if one of them is deleted."""
     assembly = model.assembly_of(part)
     return EditingSession(part.Document, [assembly, *model.parts(assembly), *needed])
 
 
 def taken_from(part, role: str, region=None) -> dict:
-    """The vertices by label that a region of a role on a part must leave to others.
+    """Return the vertices by label that a region of a role must leave to others.
 
-    Two handles cannot move one vertex, and what is fixed cannot be moved.
+    Two handles cannot move one vertex, and a fixed vertex cannot move.
     """
     others = {"handle": ("handle", "fixed"), "fixed": ("handle",)}.get(role, ())
     found = [r for r in model.regions(model.assembly_of(part), part) if r != region]
@@ -66,7 +66,7 @@ def taken_from(part, role: str, region=None) -> dict:
 
 
 class RegionPanel(Panel):
-    """Picks vertices of one part; the document changes when the user says OK."""
+    """The panel that picks vertices of one part; OK changes the document."""
 
     def __init__(self, session, part, role: str, region=None):
         super().__init__(session, "region", ICONS[role], TITLES[role])
@@ -86,7 +86,7 @@ class RegionPanel(Panel):
         self._begin(part, model.vertices(region) if region else ())
 
     def _begin(self, part, vertices=()) -> None:
-        """Picks on a part from now on."""
+        """Pick on a part from now on."""
         self._remove_view()
         self._part = part
         mesh = self._meshes[part.Name]
@@ -106,10 +106,10 @@ class RegionPanel(Panel):
         )
         self.picked()
 
-    # -- what the mouse does where nothing of the part is
+    # -- the mouse outside the picked part
 
     def hover(self, ray) -> None:
-        """Lights up another part that a click would change to."""
+        """Highlight another part to which a click would change."""
         other = self._other_part(ray)
         if other is None:
             self._light.show()
@@ -117,18 +117,18 @@ class RegionPanel(Panel):
             self._light.show(other.Name, other.ViewObject, self._meshes[other.Name].triangles)
 
     def click(self, ray) -> None:
-        """Changes to another part as long as nothing is picked."""
+        """Change to another part as long as nothing is picked."""
         other = self._other_part(ray)
         if other is not None:
             self._light.show()
             self._begin(other)
 
     def turn_wheel(self, steps: float) -> None:
-        """Changes the size of the brush."""
+        """Change the size of the brush."""
         self._tools.turn_wheel(steps)
 
     def picked(self) -> None:
-        """Shows what is picked."""
+        """Show the picked vertices."""
         picked = self._picker.picked
         self._view.show_picked(picked)
         self._view.show_aimed(())
@@ -149,7 +149,7 @@ class RegionPanel(Panel):
         say(self.form.message, text.format(refused) if refused else "", bool(refused))
 
     def _other_part(self, ray):
-        """The part in front under a ray, if a region of it may be picked now instead."""
+        """Return the front part under a ray, if picking may change to it."""
         if ray is None or self._region is not None or len(self._picker.picked):
             return None
         found = nearest_part(self._meshes, ray)
@@ -159,7 +159,7 @@ class RegionPanel(Panel):
     # -- the buttons of the task view
 
     def keep(self) -> bool:
-        """OK: one undo step, one macro line a region; with nothing picked the panel stays."""
+        """Store the regions in one undo step; return False if nothing is picked."""
         if not len(self._picker.picked):
             text = translate("SheetMorph_region", "Nothing is picked: click on the part first.")
             say(self.form.message, text, True)
@@ -172,7 +172,7 @@ class RegionPanel(Panel):
         return True
 
     def _lines(self) -> list[str]:
-        """The calls of the API that make what is picked."""
+        """Return the API calls that create or change the regions."""
         if self._region is not None:
             return [call("set_vertices", name(self._region), self._words(self._picker.picked))]
         groups = [self._picker.picked]
@@ -183,7 +183,7 @@ class RegionPanel(Panel):
         return [call(function, owner, part, self._words(group)) for group in groups]
 
     def _words(self, group) -> str:
-        """How a macro line says which vertices: by what was clicked, else by their ids."""
+        """Return vertices as source text: as a selector of the picks, else as ids."""
         said = self._picker.said
         if len(group) == len(self._picker.picked):
             wanted = [said]
@@ -191,16 +191,16 @@ class RegionPanel(Panel):
             wanted = operands(said)
         return selecting.source_for(self._part, wanted, group)
 
-    # -- a selector that is typed
+    # -- a typed selector
 
     def _show_sentence(self) -> None:
-        """Shows what the picks say, in the field in which another selector may be typed."""
+        """Show the selector of the picks, in the field for typed selectors."""
         where = selecting.words_of(self._part, self._picker.said)
         self.form.where.setText(json.dumps(where) if where else "")
         self._spaces.show(selecting.spaces_of(self._part, where))
 
     def _take_typed(self) -> None:
-        """Picks what the typed selector stands for; what is wrong with it is told."""
+        """Pick the vertices of the typed selector, or report its error."""
         text = self.form.where.text().strip()
         if not text:
             return

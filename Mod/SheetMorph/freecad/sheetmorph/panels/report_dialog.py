@@ -4,12 +4,12 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.bridge import kernel
-from freecad.sheetmorph.qt import QtGui, QtWidgets, translate
+from freecad.sheetmorph.qt import QtGui, QtWidgets, connect, translate
 from freecad.sheetmorph.scene import drawing
 
 
 def show() -> None:
-    """Shows the report; Copy puts it on the clipboard."""
+    """Show the report; Copy puts it on the clipboard."""
     dialog = QtWidgets.QDialog(Gui.getMainWindow())
     dialog.setObjectName("SheetMorphReport")
     dialog.setWindowTitle(translate("SheetMorph_CheckInstallation", "Check Installation"))
@@ -23,8 +23,8 @@ def show() -> None:
         translate("SheetMorph_CheckInstallation", "Copy"), QtWidgets.QDialogButtonBox.ActionRole
     )
     clipboard = QtWidgets.QApplication.clipboard()
-    copy.clicked.connect(lambda: clipboard.setText(text.toPlainText()))
-    buttons.rejected.connect(dialog.reject)
+    connect(copy, "clicked()", lambda: clipboard.setText(text.toPlainText()))
+    connect(buttons, "rejected()", dialog.reject)
     column = QtWidgets.QVBoxLayout(dialog)
     column.addWidget(text)
     column.addWidget(buttons)

@@ -6,7 +6,7 @@ from freecad.sheetmorph.tools import colour_scale
 
 
 def gradient(width: int = 256, height: int = 16):
-    """The legend: all colours from left to right, a QPixmap."""
+    """Return a QPixmap of all colours from left to right."""
     colours = colour_scale.ramp(width)
     image = QtGui.QImage(width, height, QtGui.QImage.Format_RGB32)
     for x, colour in enumerate(colours):

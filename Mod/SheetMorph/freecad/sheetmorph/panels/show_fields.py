@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is shown while handles are moved, as the Move Handle panel lets the user choose it."""
+"""The display options in the Move Handle panel."""
 
 from freecad.sheetmorph import preferences
 from freecad.sheetmorph.panels.histogram import histogram_picture
 from freecad.sheetmorph.panels.scale import gradient
-from freecad.sheetmorph.qt import translate
+from freecad.sheetmorph.qt import connect, translate
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 
@@ -18,12 +18,12 @@ ELEMENTS = (
     QT_TRANSLATE_NOOP("SheetMorph_panels", "Elements: largest angle"),
     QT_TRANSLATE_NOOP("SheetMorph_panels", "Elements: shortest edge"),
 )
-"""As element_quality.MEASURES has them."""
-FIRST_OF_ELEMENTS = 5  # of the list of colours
+"""The measures in the order of element_quality.MEASURES."""
+FIRST_OF_ELEMENTS = 5  # in the list of colours
 
 
 def beyond(histogram) -> str:
-    """How many elements are beyond the limit, as the end of a sentence; empty without one."""
+    """Return the number of elements beyond the limit as text, empty without a limit."""
     if histogram is None or histogram.limit is None:
         return ""
     text = translate("SheetMorph_panels", "; {0} of {1} elements beyond {2:g}")
@@ -31,11 +31,13 @@ def beyond(histogram) -> str:
 
 
 class ShowFields:
-    """Connects the widgets with a LiveUpdate ; choices are remembered."""
+    """The link from the widgets to a LiveUpdate; the preferences store the choices."""
 
     def __init__(self, form, view_legend, has_elements: bool = False):
-        """``view_legend``: the scene.legend.ViewLegend of the 3D view; ``has_elements``: whether a
-        part is of a deck, so that its elements can be measured."""
+        """Connect the widgets; `view_legend` is the ViewLegend of the 3D view.
+
+        `has_elements` means that a part belongs to a deck, so that its elements can be measured.
+        """
         self._form, self._live, self._view_legend = form, None, view_legend
         self._boxes = {
             "ShowOriginal": form.original,
@@ -44,19 +46,19 @@ class ShowFields:
         }
         for entry, box in self._boxes.items():
             box.setChecked(preferences.get(entry))
-            box.toggled.connect(lambda is_on, of=entry: self._toggle(of, is_on))
+            connect(box, "toggled(bool)", lambda is_on, of=entry: self._toggle(of, is_on))
         if has_elements:
             form.colours.addItems([translate("SheetMorph_panels", title) for title in ELEMENTS])
         form.colours.setCurrentIndex(preferences.get("ShowColours"))
-        if form.colours.currentIndex() < 0:  # what it says is for decks
+        if form.colours.currentIndex() < 0:  # the stored choice applies to decks only
             form.colours.setCurrentIndex(0)
-        form.colours.currentIndexChanged.connect(self._colour)
+        connect(form.colours, "currentIndexChanged(int)", self._colour)
         form.scale.setPixmap(gradient())
         form.scale_text.setFixedHeight(2 * form.fontMetrics().lineSpacing())
         self.tell()
 
     def connect(self, live) -> None:
-        """Shows what is chosen in a LiveUpdate, also one that takes the place of another."""
+        """Apply the choices to a new LiveUpdate."""
         self._live = live
         for entry, box in self._boxes.items():
             if box.isChecked():
@@ -65,10 +67,10 @@ class ShowFields:
             live.use_colours(self._form.colours.currentIndex())
 
     def tell(self) -> None:
-        """Shows the legend of the last frame."""
+        """Show the legend of the last frame."""
         legend = self._live and self._live.legend
         chosen = self._form.colours.currentIndex()
-        # By what is chosen, not by what has come: nothing may move while frames arrive.
+        # The choice decides, not the frame: nothing may move while frames arrive.
         self._form.scale.setVisible(chosen > 0)
         self._form.scale_text.setVisible(chosen > 0)
         self._form.histogram.setVisible(chosen >= FIRST_OF_ELEMENTS)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of a study: what changes between what, and the table of what came of it."""
+"""The panel of a study: its parameters and the table of results."""
 
 import FreeCADGui as Gui
 
@@ -11,26 +11,26 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects.study import kept_parameters, kept_results
 from freecad.sheetmorph.panels import study_table
 from freecad.sheetmorph.panels.base import Panel, say
-from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
+from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, translate
 from freecad.sheetmorph.tools.studies import ANGLE, LENGTH, METHODS, unused
 
-HEIGHTS = {"parameters": 88, "results": 220}  # px: of tables, at least
-LOOK = 200  # ms between two looks at the process
-AROUND = {LENGTH: 10.0, ANGLE: 10.0}  # of a length, an angle: how far a new parameter goes
-SHARE = 0.2  # of any other number
+HEIGHTS = {"parameters": 88, "results": 220}  # px: least height of the tables
+LOOK = 200  # ms between two checks of the process
+AROUND = {LENGTH: 10.0, ANGLE: 10.0}  # range of a new parameter around a length or an angle
+SHARE = 0.2  # range around any other number, as a share of it
 
 
 def open_panel(assembly, study=None):
-    """Opens the panel of a study, of a new one for None; returns it."""
+    """Open the panel of a study, or of a new one for None, and return it."""
     session = EditingSession(assembly.Document, [assembly], goes_with_undo=True)
     return StudyPanel.opened(session, assembly, study)
 
 
 class StudyPanel(Panel):
-    """What is typed is kept by OK and by Run; a table and a variant are undo steps of their own.
+    """The panel of a study; OK and Run store the settings.
 
-    While it runs nothing else may be done to the document: an undo, a deletion or the end of the
-    panel ends the processes.
+    Results and an applied variant are separate undo steps. During a run the document must not
+    change: an undo, a deletion or the end of the panel stops the processes.
     """
 
     width = 480  # for tables
@@ -44,7 +44,7 @@ class StudyPanel(Panel):
         self._running = None
         self._run = None
         self._look = QtCore.QTimer(self.form, interval=LOOK)
-        self._look.timeout.connect(self._watch)
+        connect(self._look, "timeout()", self._watch)
         session.ending.connect(self._look.stop)
         session.at_end(self._end_run)
         session.changed.connect(self._follow)
@@ -52,7 +52,7 @@ class StudyPanel(Panel):
         self._fill()
 
     def keep(self) -> bool:
-        """OK: one undo step of what is typed, if it is anything new."""
+        """Store new settings in one undo step; return False during a run."""
         if self._run is not None:
             say(
                 self.form.message,
@@ -63,13 +63,13 @@ class StudyPanel(Panel):
 
     @property
     def _study(self):
-        """The study, None before it is kept for the first time."""
+        """The study, None before it is first stored."""
         return self._document.getObject(self._name) if self._name else None
 
-    # -- what the user changes
+    # -- changes by the user
 
     def _kept(self) -> bool:
-        """Brings what is typed into the document; False: something is wrong, and is told."""
+        """Store the settings in the document; return False after reporting an error."""
         try:
             settings = self._settings()
             studies.check(self._assembly, settings)
@@ -97,7 +97,10 @@ class StudyPanel(Panel):
         self._name = next(iter(now - before), self._name)
 
     def _settings(self) -> dict:
-        """What is typed, as `set_study` takes it; raises ValueError."""
+        """Return the settings for `set_study`.
+
+        Raises ValueError if one is invalid.
+        """
         form = self.form
         rows = study_table.parameters_in(form.parameters, self._chosen)
         return {
@@ -117,7 +120,7 @@ class StudyPanel(Panel):
         return kept != told or any(getattr(study, at) != settings[key] for key, at in others)
 
     def _add(self, *_) -> None:
-        """One more parameter, around where its number is now."""
+        """Add a parameter with a range around its present value."""
         if not self._variables:
             return
         variable = self._variables[self.form.variable.currentIndex()]
@@ -150,7 +153,7 @@ class StudyPanel(Panel):
     # -- the run
 
     def _start(self, *_) -> None:
-        """Keeps what is typed, and computes it in processes of their own."""
+        """Store the settings, and compute the variants in separate processes."""
         if self._run is not None or not self._kept():
             return
         running = studies.begun(self._study)
@@ -165,25 +168,25 @@ class StudyPanel(Panel):
         self._show_running()
 
     def _stop(self, *_) -> None:
-        """What is done becomes the table."""
+        """Stop the run; the finished variants become the table."""
         if self._run is not None:
             self._run.cancel()
             self.form.stop.setEnabled(False)
 
     def _watch(self) -> None:
-        """Shows how far it is; takes the table when it is over."""
+        """Show the progress, and take the results at the end."""
         if self._run is None or self.session.is_ending or self.session.is_busy():
             return
         study = self._study
         if study is None:
-            return  # deleted: the panel is about to follow
+            return  # the study was deleted, and the panel will follow
         self.form.progress.setMaximum(max(1, study.Count))
         self.form.progress.setValue(min(self._run.done, study.Count))
         if self._run.is_over:
             self._take_results()
 
     def _take_results(self) -> None:
-        """One undo step, and the macro line that does the same."""
+        """Store the results in one undo step, with a macro line."""
         study = self._study
         try:
             with transactions.step(self._document, "Study Results"):
@@ -197,30 +200,30 @@ class StudyPanel(Panel):
         self._bring_results()
 
     def _bring_results(self) -> None:
-        """Scrolls the panel to the table."""
+        """Scroll the panel to the table."""
         for area in Gui.getMainWindow().findChildren(QtWidgets.QScrollArea):
             if area.isAncestorOf(self.form):
                 area.ensureWidgetVisible(self.form.results)
 
     def _end_run(self) -> None:
-        """No process and no temporary file is left."""
+        """End the processes and remove temporary files."""
         self._look.stop()
         running, self._running, self._run = self._running, None, None
         if running is not None:
             running.__exit__(None, None, None)
 
     def _apply(self, row: int, *_) -> None:
-        """A double click on a variant: the document gets its numbers in one undo step."""
+        """Apply the numbers of a double-clicked variant in one undo step."""
         if self._run is not None or self._study is None:
             return
         run = study_table.run_in(self.form.results, row)
         line = call("apply_variant", name(self._study), repr(run))
         actions.attempt("Apply Variant", line, document=self._document)
 
-    # -- what the user sees
+    # -- the display
 
     def _follow(self) -> None:
-        """After an undo, a redo or a deletion: what runs is not of this document any more."""
+        """Stop the run after an undo, a redo or a deletion, which make it outdated."""
         if self._run is not None:
             self._end_run()
             say(
@@ -233,7 +236,7 @@ class StudyPanel(Panel):
         self._fill()
 
     def _fill(self) -> None:
-        """Shows the study as it is in the document."""
+        """Show the study of the document."""
         form, study = self.form, self._study
         self._variables = api.variables(self._assembly)
         form.variable.clear()
@@ -257,7 +260,7 @@ class StudyPanel(Panel):
         study_table.fill_parameters(self.form.parameters, rows)
 
     def _show_running(self) -> None:
-        """What may be pressed now."""
+        """Enable the buttons that apply now."""
         is_running = self._run is not None
         form = self.form
         for widget in (form.variable, form.add, form.remove, form.variants_box, form.run):
@@ -283,17 +286,17 @@ class StudyPanel(Panel):
         study_table.prepare(form.parameters, heads, study_table.WHAT)
         for table, height in HEIGHTS.items():
             reserve(getattr(form, table), height)
-        form.add.clicked.connect(self._add)
-        form.remove.clicked.connect(self._remove)
-        form.browse.clicked.connect(self._choose_folder)
-        form.run.clicked.connect(self._start)
-        form.stop.clicked.connect(self._stop)
-        form.results.cellDoubleClicked.connect(self._apply)
+        connect(form.add, "clicked()", self._add)
+        connect(form.remove, "clicked()", self._remove)
+        connect(form.browse, "clicked()", self._choose_folder)
+        connect(form.run, "clicked()", self._start)
+        connect(form.stop, "clicked()", self._stop)
+        connect(form.results, "cellDoubleClicked(int,int)", self._apply)
         say(form.message, "")
 
 
 def reserve(widget, height: int) -> None:
-    """Keeps a height, px, for a widget of a column: a style sheet may overrule its own minimum."""
+    """Reserve a height (px) for a widget, whose own minimum a style sheet may override."""
     column, row = widget.parentWidget().layout(), QtWidgets.QHBoxLayout()
     place = column.indexOf(widget)
     row.addStrut(height)

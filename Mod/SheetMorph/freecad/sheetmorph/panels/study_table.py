@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The two tables of the study panel: what changes, and what came of it."""
+"""The two tables of the study panel: parameters and results."""
 
 from freecad.sheetmorph.bridge.units import number_in
 from freecad.sheetmorph.panels.find_table import VALUE, Cell
@@ -26,7 +26,7 @@ RIGHT = QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter
 
 
 def prepare(table, heads, stretched: int) -> None:
-    """Sets the columns; one of them takes what is left."""
+    """Set the columns; one of them takes the remaining width."""
     table.setColumnCount(len(heads))
     table.setHorizontalHeaderLabels(heads)
     table.verticalHeader().setVisible(False)
@@ -39,7 +39,7 @@ def prepare(table, heads, stretched: int) -> None:
 
 
 def fill_parameters(table, rows) -> None:
-    """Shows (name, variable, low, high) each."""
+    """Show rows of (name, variable, low, high)."""
     table.setRowCount(len(rows))
     for row, (name, variable, low, high) in enumerate(rows):
         texts = (name, variable.label, told(low, variable.unit), told(high, variable.unit))
@@ -53,14 +53,17 @@ def fill_parameters(table, rows) -> None:
 
 
 def lock(table, is_locked: bool) -> None:
-    """Lets nothing be typed for a while; a table that is disabled cannot be read in dark styles."""
+    """Lock or unlock editing; a disabled table would be unreadable in dark styles."""
     by_hand = QtWidgets.QAbstractItemView.DoubleClicked | QtWidgets.QAbstractItemView.AnyKeyPressed
     never = QtWidgets.QAbstractItemView.NoEditTriggers
     table.setEditTriggers(never if is_locked else by_hand)
 
 
 def parameters_in(table, variables) -> list:
-    """What the user has made of it, (name, variable, low, high) each; raises ValueError."""
+    """Return the (name, variable, low, high) that the user has entered.
+
+    Raises ValueError for text that is not a number.
+    """
     found = []
     for row, variable in enumerate(variables):
         name = table.item(row, NAME).text().strip()
@@ -77,14 +80,14 @@ def parameters_in(table, variables) -> list:
 
 
 def told(value: float, unit: str) -> str:
-    """A number with its unit, so that what is read again is the same."""
+    """Return a number with its unit, from which it is read back exactly."""
     if unit == NUMBER:
         return repr(value)
     return f"{value!r} mm" if unit == LENGTH else f"{value!r}°"
 
 
 def fill_results(table, results: dict) -> None:
-    """Shows the table of a study; empty before the first run."""
+    """Show the results of a study, empty before the first run."""
     names, measures = list(results.get("parameters", {})), results.get("measures", [])
     heads = [
         translate("SheetMorph_panels", "Run"),
@@ -112,7 +115,7 @@ def fill_results(table, results: dict) -> None:
 
 
 def put(table, place: tuple, text: str, value):
-    """A cell that is sorted by its value; returns it."""
+    """Create a cell that is sorted by its value, and return it."""
     cell = Cell(text)
     cell.setData(VALUE, value)
     cell.setFlags(READ_ONLY)
@@ -122,12 +125,12 @@ def put(table, place: tuple, text: str, value):
 
 
 def run_in(table, row: int) -> int:
-    """Which run stands in a row."""
+    """Return the number of the run in a row."""
     return int(table.item(row, 0).data(VALUE))
 
 
 def counted(results: dict) -> str:
-    """How many variants came out how, in words."""
+    """Return the number of variants in each state as text."""
     texts = [
         f"{count} {translate('SheetMorph_panels', MARKS[status][2])}"
         for status, count in results.get("counts", {}).items()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel that shows how thick a part is, as colours on the part with a legend."""
+"""The panel that shows the thickness of a part as colours with a legend."""
 
 from freecad.sheetmorph import api
 from freecad.sheetmorph.actions import call, name
@@ -9,36 +9,36 @@ from freecad.sheetmorph.objects import assembly_of
 from freecad.sheetmorph.panels import keeping
 from freecad.sheetmorph.panels.base import Panel, chip, say
 from freecad.sheetmorph.panels.scale import gradient
-from freecad.sheetmorph.qt import QtWidgets, number, translate
+from freecad.sheetmorph.qt import QtWidgets, connect, number, translate
 from freecad.sheetmorph.scene.value_map import ValueMap
 from freecad.sheetmorph.tools import colour_scale, words
 
 
 def open_panel(part):
-    """Opens the panel for a part; returns the panel."""
+    """Open the panel for a part, and return it."""
     session = EditingSession(part.Document, [part], goes_with_undo=True)
     return ThicknessPanel.opened(session, part)
 
 
 class ThicknessPanel(Panel):
-    """There is nothing to cancel: the switch and the holes are undo steps of their own."""
+    """A panel without Cancel, in which the switch and the holes are undo steps."""
 
     def __init__(self, session, part):
         super().__init__(session, "thickness", "ThicknessMap", "Thickness")
         self._part = part
         self._solid, self._reason = api.thin_solid(part)
         self.form.bend.setChecked(part.Thin != "no")
-        self.form.bend.toggled.connect(self._switch)
-        self.form.mark.clicked.connect(self._mark)
+        connect(self.form.bend, "toggled(bool)", self._switch)
+        connect(self.form.mark, "clicked()", self._mark)
         session.changed.connect(self._show_switch)
         self._fill()
 
     def getStandardButtons(self) -> int:
-        """Only Close."""
+        """Return Close only."""
         return number(QtWidgets.QDialogButtonBox.Close)
 
     def _show_switch(self) -> None:
-        """Shows what an undo has made of the switch."""
+        """Show the state of the switch after an undo."""
         self.form.bend.blockSignals(True)
         self.form.bend.setChecked(self._part.Thin != "no")
         self.form.bend.blockSignals(False)
@@ -73,7 +73,7 @@ class ThicknessPanel(Panel):
 
 
 def summary(solid) -> str:
-    """What was found, as rich text."""
+    """Return the result as rich text."""
     low, high = colour_scale.range_of(solid.thicknesses)
     lines = [
         f"Typically <b>{words.length(solid.thickness, 4)}</b>, "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the toolbars are when the workbench is used for the first time."""
+"""The position of the toolbars at the first use of the workbench."""
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -10,9 +10,9 @@ PREFERENCES = "User parameter:BaseApp/Preferences/Mod/SheetMorph"
 
 
 def place(titles: list[str]) -> None:
-    """Gives the toolbars a row of their own, once: FreeCAD's row is full, ours would be cut off.
+    """Put the toolbars in a separate row, once, because FreeCAD's row is full.
 
-    Later the user's arrangement stays.
+    Afterwards the user's arrangement stays.
     """
     preferences = App.ParamGet(PREFERENCES)
     window = Gui.getMainWindow()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A field of a panel in which Enter means the field, not OK."""
+"""A field of a panel in which Enter does not mean OK."""
 
 from freecad.sheetmorph.qt import QtCore
 
@@ -7,7 +7,7 @@ _ENTER = (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter)
 
 
 class Typed(QtCore.QObject):
-    """Calls something when Enter is pressed in a field; the panel's OK does not get it."""
+    """A filter that calls a function when Enter is pressed in a field."""
 
     def __init__(self, field, on_enter):
         super().__init__(field)
@@ -15,7 +15,7 @@ class Typed(QtCore.QObject):
         field.installEventFilter(self)
 
     def eventFilter(self, _field, event) -> bool:
-        """Take Enter, leave everything else."""
+        """Consume Enter and no other key."""
         if event.type() != QtCore.QEvent.KeyPress or event.key() not in _ENTER:
             return False
         self._on_enter()

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is drawn in the 3D view; the only package that touches Coin."""
+"""Drawings in the 3D view; the only package that uses Coin."""

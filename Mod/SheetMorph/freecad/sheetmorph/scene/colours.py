@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The colours of the roles, the same in the 3D view and the legend."""
+"""The colours of roles, the same in the 3D view and in the legend."""
 
 import colorsys
 from collections.abc import Mapping
@@ -10,10 +10,10 @@ Colour = tuple[float, float, float]
 
 
 class Preferred(Mapping):
-    """Colours by key, each from the preferences or as it is by default."""
+    """Colours by key, from the preferences or with default values."""
 
     def __init__(self, **defaults: tuple[str, Colour]):
-        """``defaults``: (key, default) by the entry of the preferences."""
+        """Create the colours; `defaults` maps preference entries to (key, default)."""
         self._entries = {key: (entry, colour) for entry, (key, colour) in defaults.items()}
 
     def __getitem__(self, key: str) -> Colour:
@@ -46,16 +46,16 @@ EDGES = (0.25, 0.32, 0.40)
 
 
 def of_number(number: int) -> Colour:
-    """A colour for one of many, far from those of its neighbours."""
+    """Return the colour of one of many items, clearly different from its neighbours."""
     hue = (0.11 + 0.618034 * number) % 1.0
     return colorsys.hls_to_rgb(hue, 0.62, 0.55)
 
 
 def css(colour: Colour) -> str:
-    """A colour with components 0..1 as Qt style sheets write it, e.g. ``#1f70c4``."""
+    """Return a colour with components 0 to 1 in the notation of Qt style sheets, as `#1f70c4`."""
     return "#" + "".join(f"{round(255 * c):02x}" for c in colour)
 
 
 def light(colour: Colour) -> Colour:
-    """The tint of a colour: for the part around what has the colour itself."""
+    """Return a light tint of a colour, for the surroundings of a coloured region."""
     return tuple(0.35 * c + 0.65 for c in colour)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A value beside the cursor, over the 3D view."""
+"""A value next to the cursor, on top of the 3D view."""
 
 from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
 from freecad.sheetmorph.scene.overlay import laid_over, take_away
@@ -12,14 +12,14 @@ LOOK = (
 
 
 class CursorValue:
-    """A label that lets the mouse through, until ``remove`` is called."""
+    """A label that ignores the mouse, until `remove`."""
 
     def __init__(self, view):
         self._label = laid_over(view, QtWidgets.QLabel, "SheetMorphCursorValue", LOOK)
         self._label.hide()
 
     def show(self, text: str) -> None:
-        """Shows a text where the cursor is; none hides it."""
+        """Show a text next to the cursor; an empty one hides the label."""
         if text:
             over = self._label.parentWidget()
             place = over.mapFromGlobal(QtGui.QCursor.pos()) + BESIDE
@@ -32,5 +32,5 @@ class CursorValue:
         self._label.setVisible(bool(text))
 
     def remove(self) -> None:
-        """Takes it away; the view may be closed already."""
+        """Remove the label; the view may be closed already."""
         take_away(self._label)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Arrows and arcs in the 3D view that drag a handle: FreeCAD's own dragger, at the pivot."""
+"""Arrows and arcs in the 3D view that drag a handle: FreeCAD's dragger at the pivot."""
 
 import math
 
@@ -10,20 +10,21 @@ from freecad.sheetmorph.scene.hanging import Hanging
 from freecad.sheetmorph.scene.relay import Relay
 from freecad.sheetmorph.scene.viewport import camera_node, mm_per_px
 
-SIZE = 8.0  # px: what the dragger takes for one, its arrows are ten times as long
+SIZE = 8.0  # px: unit size of the dragger, whose arrows are ten times as long
 FINEST = (0.001, 0.01)  # mm and degrees: steps without snapping
 
 
 class Dragger:
-    """Reports drags until ``remove`` is called.
+    """The dragger, which reports drags until `remove`.
 
-    Callbacks go through the view: pivy's own ones call Python without the interpreter's lock.
+    Callbacks go through the view, because those of pivy call Python without its global lock.
     """
 
     def __init__(self, view, listener):
-        """``listener``: on_grab(), on_drag(translation (3,) mm, axis (3,), degrees), on_release().
+        """Add the dragger to a view.
 
-        What is dragged after ``cancel`` is not reported, only the release.
+        `listener` has on_grab(), on_drag(translation (3,) mm, axis (3,), degrees) and on_release().
+        After `cancel`, only the release is reported.
         """
         self._view = view
         self._listener = listener
@@ -34,7 +35,7 @@ class Dragger:
         kind = next(found for found in kinds if not found.isBad())
         self._dragger = coin.cast(kind.createInstance(), "SoDragger")
         self._root = coin.SoAnnotation()
-        # Drawn over the parts, and so grabbed before them too.
+        # Drawn on top of the parts, so that the mouse finds it before them.
         first = coin.SoPickStyle()
         first.style = coin.SoPickStyle.SHAPE_ON_TOP
         self._root.addChild(first)
@@ -54,7 +55,7 @@ class Dragger:
             view.addDraggerCallback(self._dragger, kind, function)
 
     def place(self, pivot, motion) -> None:
-        """Shows a motion (translation mm, axis, angle degrees) about a pivot (3,) mm."""
+        """Show a motion (translation mm, axis, angle in degrees) about a pivot (3,) mm."""
         was_silent, self._is_silent = self._is_silent, True
         self._pivot.translation.setValue(*pivot)
         rotation = coin.SbRotation(coin.SbVec3f(*motion.axis), math.radians(motion.angle))
@@ -65,16 +66,16 @@ class Dragger:
         self._is_silent = was_silent
 
     def snap(self, steps) -> None:
-        """Drags in steps (mm, degrees) from where they begin; None: freely."""
+        """Drag in steps (mm, degrees) from the start; None drags freely."""
         self._steps = steps or FINEST
         self._set_steps()
 
     def cancel(self) -> None:
-        """Keeps silent about the rest of the drag."""
+        """Report nothing more of this drag."""
         self._is_silent = True
 
     def remove(self) -> None:
-        """Takes the dragger out of the view; the view may be closed already."""
+        """Remove the dragger; the view may be closed already."""
         self._sensor.detach()
         self._hanging.remove()
         try:
@@ -110,15 +111,18 @@ class Dragger:
         self._listener.on_release()
 
     def resize(self, *_) -> None:
-        """The same size in px at every zoom, in every view; FreeCAD's way is not for Python."""
+        """Give the dragger the same size in px at every zoom.
+
+        FreeCAD's own method is not available in Python.
+        """
         place = self._pivot.translation.getValue() + self._field("translation").getValue()
         try:
             scale = mm_per_px(self._view, place)
-        except RuntimeError:  # the view is closed, and its camera told us so
+        except RuntimeError:  # the view is closed, which changed its camera
             return
         self._field("draggerSize").setValue(SIZE * scale)
 
 
 def rounded(value: float) -> float:
-    """Without the noise of single precision; 1e-4 mm or degrees is far finer than a mouse."""
+    """Return a value without the noise of single precision; 1e-4 is finer than a mouse."""
     return round(float(value), 4) + 0.0

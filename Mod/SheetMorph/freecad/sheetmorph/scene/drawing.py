@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Who writes meshes into Coin's nodes: the compiled module, or pivy where that does not fit.
+"""The writer of meshes into Coin nodes: the compiled module, else pivy.
 
-It fits where it is loaded into the Coin that FreeCAD draws with; tried once, on nodes of its own.
+The compiled module fits if it uses the Coin library that FreeCAD draws with. A single test on
+separate nodes decides.
 """
 
 import functools
@@ -17,10 +18,13 @@ TRIED = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
 
 
 class Direct:
-    """The nodes are filled by the module `sheetmorph._coin`, without Python in between."""
+    """The compiled module `sheetmorph._coin`, which fills nodes without Python."""
 
     def __init__(self):
-        """Raises ImportError, or ValueError if it does not know FreeCAD's nodes."""
+        """Load and test the module.
+
+        Raises ImportError, or ValueError if the module cannot use FreeCAD's nodes.
+        """
         self._module = importlib.import_module("sheetmorph._coin")
         theirs, ours = coin.SoDB.getVersion(), self._module.coin_version()
         if theirs != ours:
@@ -31,22 +35,22 @@ class Direct:
             raise ValueError("what it writes is not what FreeCAD sees")
 
     def mesh_nodes(self, drawn, points: np.ndarray, triangles: np.ndarray, crease: float):
-        """What draws a mesh through three nodes, as `through_pivy.MeshNodes`."""
+        """Return an object that draws a mesh through three nodes, as `through_pivy.MeshNodes`."""
         addresses = tuple(int(node.this) for node in drawn)
         return self._module.MeshNodes(addresses, points, triangles, crease)
 
     def value_colours(self, material, ramp: np.ndarray, missing):
-        """What colours a material by values, as `through_pivy.ValueColours`."""
+        """Return an object that colours a material, as `through_pivy.ValueColours`."""
         return self._module.ValueColours(int(material.this), ramp, missing)
 
     def show_patch(self, drawn, triangles: np.ndarray, vertices: np.ndarray) -> bool:
-        """Draws a patch through three nodes, as `through_pivy.show_patch`."""
+        """Draw a patch through three nodes, as `through_pivy.show_patch`."""
         addresses = tuple(int(node.this) for node in drawn)
         return self._module.show_patch(addresses, triangles, vertices)
 
 
 class ThroughPivy:
-    """The same where the compiled module was not built or does not fit."""
+    """The same functions in Python, where the compiled module is missing or does not fit."""
 
     mesh_nodes = through_pivy.MeshNodes
     value_colours = through_pivy.ValueColours
@@ -55,7 +59,7 @@ class ThroughPivy:
 
 @functools.cache
 def chosen() -> tuple:
-    """Who draws, and why it is not the compiled module; empty if it is."""
+    """Return the writer, and why it is not the compiled module (empty if it is)."""
     try:
         return Direct(), ""
     except FAULTS as error:
@@ -63,12 +67,12 @@ def chosen() -> tuple:
 
 
 def drawer():
-    """Direct or ThroughPivy."""
+    """Return the writer, a Direct or ThroughPivy."""
     return chosen()[0]
 
 
 def report() -> str:
-    """A line on who draws, for *Check Installation*."""
+    """Return a line about the writer for *Check Installation*."""
     _, reason = chosen()
     if not reason:
         return "View: filled by the kernel."

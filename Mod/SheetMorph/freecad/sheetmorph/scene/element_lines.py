@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The edges of a part's elements: quads as quads, over the part as it is shown."""
+"""The edges of a part's elements (quads stay quads) on top of the displayed part."""
 
 import numpy as np
 from pivy import coin
@@ -13,10 +13,10 @@ NAME = "SheetMorphElements"
 
 
 class ElementLines:
-    """Hang beneath a view until ``remove`` is called; they follow the part, also in a preview."""
+    """Lines under a view provider until `remove`; they follow the part, also in a preview."""
 
     def __init__(self, view_object, faces: np.ndarray):
-        """``faces`` (e, 4): the corners of the elements, -1 in the last one of triangles."""
+        """Create the lines; `faces` (e, 4) are corners, -1 in the last one of triangles."""
         self._switch = coin.SoSwitch()
         self._switch.setName(NAME)
         separator, lines, depth = (
@@ -34,9 +34,9 @@ class ElementLines:
         self._hanging = Hanging(view_object.RootNode, self._switch)
 
     def show(self, is_on: bool) -> None:
-        """Whether they are seen."""
+        """Show or hide the lines."""
         self._switch.whichChild = coin.SO_SWITCH_ALL if is_on else coin.SO_SWITCH_NONE
 
     def remove(self) -> None:
-        """Takes them away."""
+        """Remove the lines."""
         self._hanging.remove()

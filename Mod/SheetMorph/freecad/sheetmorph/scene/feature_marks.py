@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How form features moved: a line from where each was, and how far in words."""
+"""The displacement of form features as a line and a label."""
 
 from pivy import coin
 
@@ -8,11 +8,11 @@ from freecad.sheetmorph.scene.place_marks import PlaceMarks
 from freecad.sheetmorph.tools.live_values import turn_of
 
 NAME = "SheetMorphFeatureMarks"
-LEAST = 0.005  # mm and degrees: what moved less says nothing
+LEAST = 0.005  # mm and degrees: smaller motions get no label
 
 
 class FeatureMarks:
-    """Marks in a 3D view, over the parts, until ``remove`` is called."""
+    """Marks on top of the parts in a 3D view, until `remove`."""
 
     def __init__(self, view):
         self._ends = PlaceMarks(view, NAME, colours.MARKS)
@@ -23,7 +23,7 @@ class FeatureMarks:
         self.remove = self._ends.remove
 
     def show(self, features) -> None:
-        """Shows sheetmorph.FeatureResults."""
+        """Show the displacements of `sheetmorph.FeatureResults`."""
         places = [place for f in features for place in (f.centre, f.centre + f.translation)]
         self._coordinates.point.setNum(len(places))
         self._lines.numVertices.setNum(len(features))
@@ -35,7 +35,7 @@ class FeatureMarks:
 
 
 def described(feature) -> str:
-    """How far a form feature moved and turned; empty if it did neither."""
+    """Return displacement and rotation of a form feature as text, empty if it did not move."""
     length = float((feature.translation @ feature.translation) ** 0.5)
     angle = turn_of(feature.rotation)
     return f" {length:.2f} mm, {angle:.1f}°" if max(length, angle) > LEAST else ""

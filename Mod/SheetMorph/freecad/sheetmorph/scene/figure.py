@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A figure drawn over the 3D view: the circle of a brush, a rectangle, a lasso."""
+"""A figure drawn on top of the 3D view: a brush circle, a rectangle or a lasso."""
 
 from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
 
@@ -8,10 +8,10 @@ FILL = 28  # of 255
 
 
 class Figure(QtWidgets.QWidget):
-    """Lies over the view and lets all events through; ``remove`` takes it away."""
+    """A widget on top of the view that ignores all events, until `remove`."""
 
     def __init__(self, widget, colour):
-        """``widget`` that shows the view; ``colour``: (r, g, b) of what is inside."""
+        """Create it over the view's `widget`; `colour` (r, g, b) fills the figure."""
         super().__init__(widget)
         self._colour = QtGui.QColor.fromRgbF(*colour)
         self._polygon = None
@@ -19,7 +19,7 @@ class Figure(QtWidgets.QWidget):
         self.setAttribute(QtCore.Qt.WA_NoSystemBackground)
 
     def show_outline(self, outline) -> None:
-        """Shows a closed figure, (k, 2) px from the lower left of the view; None shows nothing."""
+        """Show a closed figure, (k, 2) px from the lower left of the view; None hides it."""
         if outline is None:
             self.hide()
             return
@@ -32,7 +32,7 @@ class Figure(QtWidgets.QWidget):
         self.update()
 
     def paintEvent(self, _event) -> None:
-        """Light on dark, so that it is seen before any background and part."""
+        """Draw light on dark lines, which are visible on any background and part."""
         painter = QtGui.QPainter(self)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
         fill = QtGui.QColor(self._colour)
@@ -45,7 +45,7 @@ class Figure(QtWidgets.QWidget):
         painter.drawPolygon(self._polygon)
 
     def remove(self) -> None:
-        """Takes it away; the view may be closed already."""
+        """Remove the widget; the view may be closed already."""
         try:
             self.hide()
             self.setParent(None)

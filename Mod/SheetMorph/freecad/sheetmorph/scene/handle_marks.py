@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A mark on every handle but the one with the arrows: a click on it chooses that handle.
+"""A clickable mark on every handle except the one with the arrows.
 
-Marks are drawn over the parts, apart from each other and from the arrows.
+Marks are drawn on top of the parts, apart from each other and from the arrows.
 """
 
 import numpy as np
@@ -16,12 +16,12 @@ from freecad.sheetmorph.tools.spreading import spread
 
 SIZE = 13.0  # px
 LEAST = 26.0  # px between two marks
-ARROWS = 100.0  # px around the handle that has the arrows: they are 80 long
+ARROWS = 100.0  # px around the handle with the arrows, which are 80 px long
 ROOT = "SheetMorphHandleMarks"
 
 
 class HandleMarks(QtCore.QObject):
-    """Shown until ``remove`` is called; a click on mark k calls ``choose(k)``."""
+    """The marks until `remove`; a click on mark k calls `choose(k)`."""
 
     def __init__(self, view, choose):
         super().__init__()
@@ -44,29 +44,29 @@ class HandleMarks(QtCore.QObject):
         self._widget.installEventFilter(self)
 
     def show(self, places, taken) -> None:
-        """Marks places (n, 3) mm, global; ``taken``: the place (3,) of the arrows, or None."""
+        """Mark places (n, 3) mm, global; `taken` is the place (3,) of the arrows, or None."""
         self._places = np.asarray(places, float).reshape(-1, 3)
         self._taken = taken
         self._draw()
 
     def remove(self) -> None:
-        """Takes them out of the view, which may be closed already."""
+        """Remove the marks; the view may be closed already."""
         self._sensor.detach()
         self._follow.let_go()
         self._hanging.remove()
         try:
             self._widget.removeEventFilter(self)
         except RuntimeError:
-            pass  # closed
+            pass  # the view is closed
         self._view = self._widget = self._choose = None
 
     def place_of(self, number: int) -> tuple[float, float]:
-        """Where a mark is in the view, px from the lower left."""
+        """Return the position of a mark in the view, px from the lower left."""
         x, y = self._shown[number]
         return float(x), float(y)
 
     def eventFilter(self, _watched, event) -> bool:
-        """Takes a click on a mark."""
+        """Consume a click on a mark."""
         kind = event.type()
         if kind == QtCore.QEvent.MouseButtonPress and event.button() == QtCore.Qt.LeftButton:
             number = self._at(event)
@@ -80,7 +80,7 @@ class HandleMarks(QtCore.QObject):
         return kind == QtCore.QEvent.MouseMove and self._is_pressed
 
     def _at(self, event):
-        """The number of the mark under the mouse, None if there is none."""
+        """Return the number of the mark under the mouse, None without one."""
         if not len(self._shown):
             return None
         ratio = self._widget.devicePixelRatioF()
@@ -109,20 +109,20 @@ class HandleMarks(QtCore.QObject):
 
 
 def projected(camera, places) -> np.ndarray:
-    """Where places (n, 3) mm are seen: (n, 3) px from the lower left, and the depth."""
+    """Return px (x, y) from the lower left and the depth of places, each (n, 3)."""
     points = np.asarray(places, float).reshape(-1, 3)
     found = np.column_stack([points, np.ones(len(points))]) @ camera.to_pixels.T
     return found[:, :3] / found[:, 3:]
 
 
 def on_screen(camera, x: float, y: float, depth: float) -> np.ndarray:
-    """The place (3,) mm that is seen at a pixel, at a depth from -1 (near) to 1."""
+    """Return the point (3,) mm at a pixel and a depth from -1 (near) to 1."""
     found = np.linalg.solve(camera.to_pixels, np.array([x, y, depth, 1.0]))
     return found[:3] / found[3]
 
 
 def put(coordinates, points) -> None:
-    """Writes points (n, 3) into an SoCoordinate3."""
+    """Write points (n, 3) into an SoCoordinate3."""
     coordinates.point.setNum(len(points))
     for k, point in enumerate(points):
         coordinates.point.set1Value(k, *(float(c) for c in point))

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A node that hangs in somebody else's scene for a while."""
+"""A node that is added temporarily to another scene."""
 
 
 class Hanging:
-    """Until ``remove``; the view or object whose scene it is may be gone by then."""
+    """A node in a scene until `remove`; the view or object of the scene may vanish earlier."""
 
     def __init__(self, root, node):
-        """``root``: a group node, kept alive here."""
+        """Add a node to `root`, a group node, which this object keeps alive."""
         self._root, self._node = root, node
         root.addChild(node)
 
     def remove(self) -> None:
-        """Takes the node out; a second time there is nothing to do."""
+        """Remove the node; a second call does nothing."""
         if self._root is not None and self._root.findChild(self._node) >= 0:
             self._root.removeChild(self._node)
         self._root = self._node = None

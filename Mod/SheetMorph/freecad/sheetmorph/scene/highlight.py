@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whole parts, or some of their vertices, in colours for a while."""
+"""A temporary colour on parts or on some of their vertices."""
 
 import numpy as np
 
@@ -9,13 +9,13 @@ from freecad.sheetmorph.scene.patch import Patch
 
 
 class Highlight:
-    """What was painted stays until ``clear``; later paint lies over earlier."""
+    """Painted patches until `clear`; a later one covers an earlier one."""
 
     def __init__(self):
         self._painted = []
 
     def paint(self, view_object, triangles, colour, vertices=None) -> None:
-        """Colours ``vertices`` (ids), or tints all, of the part with ``triangles`` (m, 3)."""
+        """Colour `vertices` (ids) of a part with `triangles` (m, 3), or tint the whole part."""
         is_tint = vertices is None
         shown, width = nodes.coordinates(view_object), 0.0 if is_tint else 3.0
         patch = Patch(shown, colour, width, on_top=not is_tint)
@@ -23,7 +23,7 @@ class Highlight:
         self._painted.append(Hanging(view_object.RootNode, patch.node))
 
     def clear(self) -> None:
-        """Takes all of it away."""
+        """Remove all patches."""
         for hanging in self._painted:
             hanging.remove()
         self._painted = []
@@ -32,14 +32,14 @@ class Highlight:
 
 
 class PartLight:
-    """Tints at most one whole part: the one under the mouse."""
+    """A tint on at most one part, the one under the mouse."""
 
     def __init__(self):
         self._highlight = Highlight()
         self._lit = ""
 
     def show(self, name: str = "", view_object=None, triangles=None) -> None:
-        """Tints the part of that name, drawn by ``view_object``; an empty name tints none."""
+        """Tint the named part, which `view_object` draws; an empty name tints none."""
         if name == self._lit:
             return
         self._lit = name
@@ -48,5 +48,5 @@ class PartLight:
             self._highlight.paint(view_object, triangles, colours.HOVER)
 
     def remove(self) -> None:
-        """Tints none."""
+        """Remove the tint."""
         self.show()

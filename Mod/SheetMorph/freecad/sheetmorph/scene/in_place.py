@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A node drawn in place of a part, hidden and shown as the part is."""
+"""A node drawn in place of a part, visible whenever the part would be."""
 
 from pivy import coin
 
@@ -8,23 +8,25 @@ from freecad.sheetmorph.scene.relay import Relay
 
 
 class InPlace:
-    """Until ``remove``; the document knows nothing of it.
+    """The replacement of a drawing until `remove`, without a change of the document.
 
-    The part's own switch stays as it is: FreeCAD reads there whether the part is shown, and sets it
-    when somebody hides the part.
+    The part's own switch keeps its state, since FreeCAD reads and sets the visibility there.
     """
 
     def __init__(self, view_object, root, node, also=()):
-        """``view_object``: of the part; ``root``: a group in which ``node`` hangs meanwhile;
-        ``also``: views of other objects that stand for the part, such as its deformed shape."""
-        self._shown = coin.SoSwitch()  # off as it is made
+        """Hide a part and draw `node` under the group `root` instead.
+
+        `view_object` is that of the part. `also` are views of other objects that represent the
+        part, such as its deformed shape.
+        """
+        self._shown = coin.SoSwitch()  # a new switch is off
         self._shown.addChild(node)
         self._hidden = [_Hidden(view, self._follow) for view in (view_object, *also)]
         self._hanging = Hanging(root, self._shown)
         self._follow()
 
     def remove(self) -> None:
-        """Draws the part again; a second time there is nothing to do."""
+        """Draw the part again; a second call does nothing."""
         hidden, self._hidden = self._hidden, []
         for each in hidden:
             each.remove()
@@ -37,26 +39,26 @@ class InPlace:
 
 
 class _Hidden:
-    """What an object draws, out of sight; calls a function when its object is shown or hidden."""
+    """The hidden drawing of an object, with a callback when its visibility changes."""
 
     def __init__(self, view_object, on_change):
         self._root, self._drawn = view_object.RootNode, view_object.SwitchNode
-        self._unseen = coin.SoSwitch()  # off as it is made
+        self._unseen = coin.SoSwitch()  # a new switch is off
         self._root.replaceChild(self._drawn, self._unseen)
         self._unseen.addChild(self._drawn)
-        self._relay = Relay(on_change)  # Coin keeps what it calls for ever
+        self._relay = Relay(on_change)  # Coin never releases a callback
         self._sensor = coin.SoFieldSensor(self._relay, None)
         self._sensor.attach(self._drawn.whichChild)
 
     @property
     def is_on(self) -> bool:
-        """Whether the object is shown."""
+        """Whether the object is visible."""
         return self._drawn.whichChild.getValue() >= 0
 
     def remove(self) -> None:
-        """Draws the object again."""
+        """Draw the object again."""
         self._sensor.detach()
-        self._sensor = None  # which knows its owner: what is drawn would live on with both
+        self._sensor = None  # it refers to its owner, and both would keep the drawing alive
         self._relay.let_go()
         if self._root.findChild(self._unseen) >= 0:
             self._root.replaceChild(self._unseen, self._drawn)

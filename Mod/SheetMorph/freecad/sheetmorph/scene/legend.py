@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The legend in the corner of the 3D view: the colours of the roles, and the scale of values."""
+"""The legend in a corner of the 3D view, with the colours of roles and the scale of values."""
 
 from freecad.sheetmorph.qt import QtWidgets
 from freecad.sheetmorph.scene.overlay import laid_over, take_away
@@ -12,7 +12,7 @@ LOOK = (
 
 
 class ViewLegend:
-    """Lies over a 3D view and lets the mouse through, until ``remove`` is called."""
+    """A frame on top of a 3D view that ignores the mouse, until `remove`."""
 
     def __init__(self, view):
         self._frame = laid_over(view, QtWidgets.QFrame, "SheetMorphLegend", LOOK)
@@ -27,12 +27,12 @@ class ViewLegend:
         self.show_values()
 
     def show_roles(self, text: str) -> None:
-        """Shows the colours of the roles, rich text."""
+        """Show the colours of the roles as rich text."""
         self._roles.setText(text)
         self._fit()
 
     def show_values(self, pixmap=None, text: str = "", bars=None) -> None:
-        """Shows a scale, what it says, and bars over it; None shows none."""
+        """Show a scale, its text and bars above it; None hides them."""
         if bars is not None:
             self._bars.setPixmap(bars)
         self._bars.setVisible(bars is not None)
@@ -44,7 +44,7 @@ class ViewLegend:
         self._fit()
 
     def remove(self) -> None:
-        """Takes it away; the view may be closed already."""
+        """Remove the legend; the view may be closed already."""
         take_away(self._frame)
 
     def _fit(self) -> None:

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Brings places into view."""
+"""The movement of the camera to a place."""
 
 import numpy as np
 from pivy import coin
 
 from freecad.sheetmorph.scene.viewport import camera_node
 
-AROUND = 1.6  # how much is seen with a place, in its sizes
-LEAST = 0.02  # of what is seen now: a single vertex is no place to zoom into
+AROUND = 1.6  # visible extent, as a multiple of the place's size
+LEAST = 0.02  # of the present extent: a single vertex must not fill the view
 
 
 def look_at(view, points: np.ndarray) -> None:
-    """Lets a 3D view show places (n, 3), global mm, from where it looks now."""
+    """Move the camera to show places (n, 3), global mm, from the present direction."""
     if not len(points):
         return
     camera = camera_node(view)

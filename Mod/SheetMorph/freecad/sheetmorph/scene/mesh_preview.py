@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Another mesh drawn in place of a part, facets and edges; the document knows nothing of it."""
+"""Another mesh, facets and edges, drawn in place of a part without a change of the document."""
 
 import numpy as np
 from pivy import coin
@@ -11,19 +11,22 @@ NAME = "SheetMorphMeshPreview"
 
 
 class MeshPreview:
-    """In a view until ``remove`` is called; meanwhile the part is not drawn."""
+    """The drawing in a view until `remove`, which hides the part."""
 
     def __init__(self, view, view_object, points: np.ndarray, triangles: np.ndarray):
-        """``points`` (n, 3) global mm, ``triangles`` (m, 3); ``view_object``: of the part."""
+        """Draw `points` (n, 3) global mm with `triangles` (m, 3) in place of a part.
+
+        `view_object` is that of the part.
+        """
         self._in_place = InPlace(view_object, view.getSceneGraph(), _drawn(points, triangles))
 
     def remove(self) -> None:
-        """Shows the part again."""
+        """Show the part again."""
         self._in_place.remove()
 
 
 def _drawn(points: np.ndarray, triangles: np.ndarray):
-    """Facets in the colour of a sheet, and their edges as thin dark lines."""
+    """Return facets in the colour of a sheet and their edges as thin dark lines."""
     root = coin.SoSeparator()
     root.setName(NAME)
     coordinates = coin.SoCoordinate3()

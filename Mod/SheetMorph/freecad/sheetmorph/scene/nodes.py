@@ -6,34 +6,34 @@ from pivy import coin
 
 
 def coordinates(view_object):
-    """The SoCoordinate3 with the local positions that are shown."""
+    """Return the SoCoordinate3 with the displayed local positions."""
     return _first(view_object.RootNode, coin.SoCoordinate3)
 
 
 def transform(view_object):
-    """The SoTransform of the placement."""
+    """Return the SoTransform of the placement."""
     return _first(view_object.RootNode, coin.SoTransform)
 
 
 def positions(view_object) -> np.ndarray:
-    """The positions that are shown: (n, 3) local mm, in single precision."""
+    """Return the displayed positions, (n, 3) local mm, in single precision."""
     return rows(coordinates(view_object).point)
 
 
 def rows(field) -> np.ndarray:
-    """What a field of several vectors or colours holds, (n, 3)."""
+    """Return the values of a field of vectors or colours, (n, 3)."""
     return np.array([value.getValue() for value in field.getValues()], dtype=float).reshape(-1, 3)
 
 
 def unpickable():
-    """The SoPickStyle of what the mouse goes through."""
+    """Return an SoPickStyle that the mouse ignores."""
     style = coin.SoPickStyle()
     style.style = coin.SoPickStyle.UNPICKABLE
     return style
 
 
 def unlit(colour, line_width: float = 1.0, point_size: float = 1.0) -> tuple:
-    """Nodes that give lines and points one colour whatever the light, and no part in picking."""
+    """Return nodes for lines and points of one colour without light and picking."""
     flat, base, draw = coin.SoLightModel(), coin.SoBaseColor(), coin.SoDrawStyle()
     flat.model = coin.SoLightModel.BASE_COLOR
     base.rgb = colour
@@ -42,7 +42,7 @@ def unlit(colour, line_width: float = 1.0, point_size: float = 1.0) -> tuple:
 
 
 def set_index(node, faces: np.ndarray, field: str = "coordIndex") -> None:
-    """Writes rows (m, k) of indices into a field of a shape, each closed by -1."""
+    """Write rows (m, k) of indices into a field of a shape, each closed by -1."""
     flat = np.full((len(faces), faces.shape[1] + 1), -1, np.int32)
     flat[:, :-1] = faces
     indices = getattr(node, field)
@@ -52,7 +52,7 @@ def set_index(node, faces: np.ndarray, field: str = "coordIndex") -> None:
 
 
 def _first(root, wanted):
-    """The first node of a type below ``root``, also under switches that are off."""
+    """Return the first node of a type below `root`, also under switches that are off."""
     search = coin.SoSearchAction()
     search.setType(wanted.getClassTypeId())
     search.setSearchingAll(True)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Widgets that lie over a 3D view and let the mouse through."""
+"""Widgets on top of a 3D view that ignore the mouse."""
 
 from freecad.sheetmorph.qt import QtCore
 
 
 def laid_over(view, make, name: str, look: str):
-    """A widget over a view, of that object name and style sheet; ``make`` takes its parent."""
+    """Return a widget over a view with an object name and style; `make` takes its parent."""
     widget = make(view.graphicsView().viewport())
     widget.setObjectName(name)
     widget.setStyleSheet(look)
@@ -14,7 +14,7 @@ def laid_over(view, make, name: str, look: str):
 
 
 def take_away(widget) -> None:
-    """Removes such a widget; the view may be closed already."""
+    """Remove such a widget; the view may be closed already."""
     try:
         widget.hide()
         widget.setParent(None)

@@ -1,24 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Vertices of a part drawn in one colour: facets between them, rims as lines, else points."""
+"""Vertices of a part in one colour: facets between them, rims as lines, else points."""
 
 import numpy as np
 from pivy import coin
 
 from freecad.sheetmorph.scene import drawing, nodes
 
-# Maps depth a little nearer, so that what lies in the surface is drawn before it.
+# Moves depth a little nearer, so that the patch covers the surface in which it lies.
 NEARER = 0.9997
-BEHIND = 0.9999  # before the surface, behind what is NEARER
+BEHIND = 0.9999  # in front of the surface, behind patches with NEARER
 
 
 class Patch:
-    """A coloured set of vertices; follows the coordinates node it is drawn with."""
+    """A coloured set of vertices that follows the coordinates node of its part."""
 
     def __init__(self, coordinates, colour, width: float = 4.0, transform=None, *, on_top=False):
-        """Nodes of the part; ``colour``: (r, g, b) 0..1; ``width`` of lines, px.
+        """Create a patch from nodes of the part; `colour` is (r, g, b) 0 to 1.
 
-        Without a width it is a tint: no lines to speak of, and other patches lie over it.
-        ``on_top``: its outline is seen through whatever hides it.
+        `width` is that of lines, px. A width of 0 gives a tint with thin lines, which other patches
+        cover. With `on_top`, the outline is visible through other objects.
         """
         self.node = coin.SoSwitch()
         self.node.whichChild = coin.SO_SWITCH_NONE
@@ -44,11 +44,11 @@ class Patch:
         self.node.addChild(separator)
 
     def fill(self, is_on: bool) -> None:
-        """Facets too, or only what outlines them."""
+        """Show the facets, or only their outline."""
         self._filling.whichChild = coin.SO_SWITCH_ALL if is_on else coin.SO_SWITCH_NONE
 
     def show(self, triangles: np.ndarray, vertices) -> None:
-        """Shows ``vertices`` (ids) of the mesh with ``triangles`` (m, 3); none hides the patch.
+        """Show `vertices` (ids) of the mesh with `triangles` (m, 3); none hides the patch.
 
         Triangles without any of the vertices may be left out.
         """
@@ -58,7 +58,7 @@ class Patch:
 
 
 def group():
-    """An empty group to hang patches under."""
+    """Return an empty group for patches."""
     return coin.SoGroup()
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is seen while picking: the picked vertices, and what a click would take."""
+"""The drawing of picked vertices, and of those that a click would pick."""
 
 from freecad.sheetmorph.scene import colours, nodes
 from freecad.sheetmorph.scene.hanging import Hanging
@@ -7,12 +7,12 @@ from freecad.sheetmorph.scene.patch import Patch
 
 
 class PickView:
-    """Two patches over a part until ``remove`` is called."""
+    """Two patches over a part until `remove`."""
 
     def __init__(self, view_object, mesh, colour, *, on_top=False):
-        """``mesh`` of the part, a PartMesh; ``colour``: (r, g, b) of the picked vertices.
+        """Create the patches; `mesh` is the PartMesh, `colour` (r, g, b) that of picked vertices.
 
-        ``on_top``: their outline is seen through whatever hides it.
+        With `on_top`, their outline is visible through other objects.
         """
         self.colour = colour
         self._mesh = mesh
@@ -24,16 +24,16 @@ class PickView:
         self._hanging = [Hanging(root, patch.node) for patch in patches]
 
     def show_picked(self, vertices) -> None:
-        """Colours the picked vertices."""
+        """Colour the picked vertices."""
         self._picked.show(self._mesh.triangles, vertices)
 
     def show_aimed(self, vertices) -> None:
-        """Highlights what a click would take; the same array again costs nothing."""
+        """Highlight the vertices under the mouse; the same array again costs nothing."""
         if vertices is not self._last:
             self._last = vertices
             self._aimed.show(self._mesh.triangles, vertices)
 
     def remove(self) -> None:
-        """Takes both out of the view."""
+        """Remove both patches."""
         for hanging in self._hanging:
             hanging.remove()

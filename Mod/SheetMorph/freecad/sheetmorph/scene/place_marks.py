@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Points with words beside them, over the parts."""
+"""Points with labels on top of the parts."""
 
 from pivy import coin
 
@@ -8,7 +8,7 @@ from freecad.sheetmorph.scene.hanging import Hanging
 
 
 class PlaceMarks:
-    """Marks in a 3D view until ``remove`` is called; ``root``: the node that they are below."""
+    """Marks in a 3D view until `remove`, below the node `root`."""
 
     def __init__(self, view, name: str, colour):
         self._coordinates = coin.SoCoordinate3()
@@ -21,7 +21,7 @@ class PlaceMarks:
         self._hanging = Hanging(view.getSceneGraph(), self.root)
 
     def show(self, places) -> None:
-        """Shows a point at every (place (3,) mm, words); nodes of the last frame are used again."""
+        """Show a point and a label at every (place (3,) mm, text), reusing the nodes."""
         self._coordinates.point.setNum(len(places))
         self._points.numPoints = len(places)
         while self._texts.getNumChildren() < len(places):
@@ -35,7 +35,7 @@ class PlaceMarks:
             group.getChild(1).string.setValue(words)
 
     def remove(self) -> None:
-        """Takes them out of the view."""
+        """Remove the marks."""
         self._hanging.remove()
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Points of parts dragged in the plane of the view: the mouse as rays and shifts, global mm.
+"""Dragging points of parts in the plane of the view, with rays and shifts in global mm.
 
-A Qt event filter, which sees the mouse before FreeCAD and takes what belongs to a drag.
+A Qt event filter sees the mouse before FreeCAD and consumes the events of a drag.
 """
 
 import numpy as np
@@ -12,37 +12,38 @@ from freecad.sheetmorph.tools.part_mesh import Ray
 
 
 class EscapeWatch(QtCore.QObject):
-    """Sees Escape before anything else, whichever widget has the keys, between start and stop."""
+    """A filter that sees Escape first, whichever widget has the focus, from start to stop."""
 
     def __init__(self, on_escape):
         super().__init__()
         self._on_escape, self._is_on = on_escape, False
 
     def start(self) -> None:
-        """From now on."""
+        """Start to watch."""
         if not self._is_on:
             QtCore.QCoreApplication.instance().installEventFilter(self)
         self._is_on = True
 
     def stop(self) -> None:
-        """No longer."""
+        """Stop watching."""
         if self._is_on:
             QtCore.QCoreApplication.instance().removeEventFilter(self)
         self._is_on = False
 
     def eventFilter(self, _watched, event) -> bool:
-        """Takes Escape."""
+        """Consume Escape if the callback accepts it."""
         is_key = event.type() == QtCore.QEvent.KeyPress
         return is_key and event.key() == QtCore.Qt.Key_Escape and bool(self._on_escape())
 
 
 class PointDrag(QtCore.QObject):
-    """Reports drags of points until ``remove`` is called.
+    r"""A filter that reports drags of points until `remove`.
 
-    ``listener``: on_press(ray) returns the point (3,) that is grabbed, or None to leave the mouse
-    to FreeCAD; on_pull(shift (3,)) mm since then, parallel to the screen; on_drop(). Escape in
-    the view is asked of on_escape(): True if it was meant for a drag; other keys of on_key(text),
-    "\n" for Enter and "" for backspace, while is_dragging. on_resize(): the view has another size.
+    `listener` has these methods. on_press(ray) returns the grabbed point (3,), or None to leave the
+    mouse to FreeCAD. on_pull(shift (3,)) gets the shift in mm since then, parallel to the screen.
+    on_drop() ends the drag. on_escape() returns True if Escape in the view ended a drag.
+    on_key(text) gets other keys, "\n" for Enter and "" for backspace. on_resize() reports another
+    size of the view. While is_dragging is true, keys are not shortcuts.
     """
 
     def __init__(self, view, listener):
@@ -55,26 +56,26 @@ class PointDrag(QtCore.QObject):
         view.graphicsView().installEventFilter(self)
 
     def remove(self) -> None:
-        """Gives the mouse back; the view may be closed already."""
+        """Release the mouse; the view may be closed already."""
         try:
             self._widget.removeEventFilter(self)
             self._view.graphicsView().removeEventFilter(self)
         except RuntimeError:
-            pass  # closed: there is nothing to give back
+            pass  # closed: the filters are gone
         self._view = self._widget = self._listener = None
 
     def cancel(self) -> None:
-        """Lets go of the point; what the mouse does until it is released is nobody's."""
+        """Drop the point; the mouse has no effect until its button is released."""
         if self._grabbed is not None:
             self._grabbed = np.full(3, np.nan)
 
     def eventFilter(self, _watched, event) -> bool:
-        """Takes the drag of a point, and Escape during any drag."""
+        """Consume the drag of a point, and Escape during any drag."""
         kind = event.type()
         if kind == QtCore.QEvent.KeyPress:
             return self._typed(event)
         if kind == QtCore.QEvent.ShortcutOverride and self._listener.is_dragging:
-            event.accept()  # digits are typed, and show no other side of the parts
+            event.accept()  # digits are typed values here, not shortcuts for standard views
             return True
         if kind == QtCore.QEvent.Resize:
             QtCore.QTimer.singleShot(0, self._resized)
@@ -109,7 +110,7 @@ class PointDrag(QtCore.QObject):
         return self._grabbed is not None
 
     def _pull(self, event) -> None:
-        """Where the ray meets the plane through the point, parallel to the screen."""
+        """Move the point to where the ray meets the plane through it, parallel to the screen."""
         if not np.isfinite(self._grabbed).all():
             return
         ray = self._ray(event)

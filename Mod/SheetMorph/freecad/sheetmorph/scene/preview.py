@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The live preview: kernel positions drawn in place of a mesh; the document knows nothing of it.
+"""The live preview: kernel positions in place of a mesh, without a change of the document.
 
-It hangs under the root of the part's view provider and uses its coordinates node: it moves with the
-part and all containers around it, and the coloured regions follow.
+It is under the root of the part's view provider and uses its coordinates node. So it moves with the
+part and its containers, and the coloured regions follow.
 """
 
 import numpy as np
@@ -13,11 +13,13 @@ from freecad.sheetmorph.scene.surface import Surface
 
 
 class Preview:
-    """Draws one part at other positions until ``remove`` is called."""
+    """A drawing of one part at other positions until `remove`."""
 
     def __init__(self, view_object, drawer, points: np.ndarray, triangles: np.ndarray, *, also=()):
-        """``drawer``: see `drawing`; ``points`` (n, 3) local mm, ``triangles`` (m, 3); ``also``:
-        views that stand for the part, too."""
+        """Draw `points` (n, 3) local mm with `triangles` (m, 3); see `drawing` for `drawer`.
+
+        `also` are further views that represent the part.
+        """
         self._view_object = view_object
         self._surface = Surface(nodes.coordinates(view_object))
         self._surface.fill(drawer, points, triangles)
@@ -25,20 +27,20 @@ class Preview:
         self._in_place = InPlace(view_object, view_object.RootNode, self._surface.node, also)
 
     def show(self, points: np.ndarray, frame) -> None:
-        """Moves the drawing to (n, 3) global positions, mm, of a part with a conversion.Frame."""
+        """Move the drawing to global positions (n, 3), mm, of a part with a conversion.Frame."""
         self._surface.show(points, frame)
 
     def colour(self, values: np.ndarray, span) -> None:
-        """Shows the values (n,) of the vertices as colours in a span (low, high)."""
+        """Show the values (n,) of the vertices as colours in a span (low, high)."""
         self._surface.colour(values, span)
 
     def plain(self) -> None:
-        """Shows the part in its own colour."""
+        """Show the part in its own colour."""
         transparency = self._view_object.Transparency / 100.0
         self._surface.paint(tuple(self._view_object.ShapeColor[:3]), transparency)
 
     def remove(self) -> None:
-        """Shows the mesh as the document has it; the part may be deleted already."""
+        """Show the mesh of the document again; the part may be deleted already."""
         self._in_place.remove()
         try:
             self._view_object.update()

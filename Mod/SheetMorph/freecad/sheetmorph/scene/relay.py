@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What Coin, FreeCAD and Qt are given to call: they keep it for ever, so it can be let go."""
+"""Callbacks for Coin, FreeCAD and Qt that can be cut off, since these never release them."""
 
 
 class Relay:
-    """Calls a function until ``let_go``; then whoever still has the relay has nothing else."""
+    """A callable that calls a function until `let_go`, and nothing afterwards."""
+
+    __slots__ = ("_function",)  # what is kept for ever is small
 
     def __init__(self, function):
         self._function = function
@@ -13,5 +15,5 @@ class Relay:
             self._function(*arguments)
 
     def let_go(self) -> None:
-        """Forgets the function."""
+        """Release the function."""
         self._function = None

@@ -14,10 +14,10 @@ SHADES = 256
 
 
 class Surface:
-    """One mesh; ``node`` hangs it into a scene."""
+    """One mesh, with `node` for the scene."""
 
     def __init__(self, coordinates):
-        """``coordinates``: the SoCoordinate3 it is drawn with, also that of another shape."""
+        """Create the nodes; `coordinates` is an SoCoordinate3, possibly of another shape."""
         self._coordinates = coordinates
         self._normals = coin.SoNormal()
         self._faces = coin.SoIndexedFaceSet()
@@ -27,24 +27,24 @@ class Surface:
         self.node = self._separator()
 
     def fill(self, drawer, points: np.ndarray, triangles: np.ndarray) -> None:
-        """``drawer``: see `drawing`; ``points`` (n, 3) mm, ``triangles`` (m, 3)."""
+        """Set `points` (n, 3) mm and `triangles` (m, 3); see `drawing` for `drawer`."""
         drawn = self._coordinates, self._normals, self._faces
         self._mesh = drawer.mesh_nodes(drawn, points, triangles, CREASE)
         ramp = colour_scale.ramp(SHADES)
         self._colours = drawer.value_colours(self._material, ramp, colour_scale.MISSING)
 
     def show(self, points: np.ndarray, frame) -> None:
-        """Moves it to other positions (n, 3), mm, global, with normals of their own."""
+        """Move the mesh to global positions (n, 3), mm, with new normals."""
         self._mesh.show(points, frame.rotation, frame.base)
 
     def paint(self, colour, transparency: float = 0.0) -> None:
-        """All of it in one colour."""
+        """Show the mesh in one colour."""
         self._binding.value = coin.SoMaterialBinding.OVERALL
         self._material.diffuseColor = colour
         self._material.transparency = transparency
 
     def colour(self, values: np.ndarray, span) -> None:
-        """A colour for the value of every vertex, (n,), in a span (low, high)."""
+        """Show the value of every vertex, (n,), as a colour in a span (low, high)."""
         self._colours.show(np.asarray(values, dtype=float), span)
         self._material.transparency = 0.0
         self._binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED

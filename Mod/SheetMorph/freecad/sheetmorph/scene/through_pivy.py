@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the compiled module `sheetmorph._coin` does with nodes of Coin, slower and as right."""
+"""A slower replacement for the compiled module `sheetmorph._coin`, with the same results."""
 
 import numpy as np
 
@@ -8,10 +8,10 @@ from freecad.sheetmorph.tools.shading import Shading
 
 
 class MeshNodes:
-    """Draws one mesh through an SoCoordinate3, an SoNormal and an SoIndexedFaceSet."""
+    """A mesh drawn through an SoCoordinate3, an SoNormal and an SoIndexedFaceSet."""
 
     def __init__(self, drawn, points: np.ndarray, triangles: np.ndarray, crease: float):
-        """``drawn``: the three nodes; ``points`` (n, 3) mm; ``crease``: radians."""
+        """Fill the three nodes `drawn`; `points` (n, 3) are in mm, `crease` in radians."""
         self._coordinates, self._normals, faces = drawn
         self._shading = Shading(points, triangles, crease)
         self.show(points)
@@ -19,7 +19,7 @@ class MeshNodes:
         nodes.set_index(faces, self._shading.of_corner, "normalIndex")
 
     def show(self, points: np.ndarray, rotation=None, base=None) -> None:
-        """Other positions (n, 3), mm; global ones with ``rotation`` (3, 3) and ``base`` (3,)."""
+        """Show positions (n, 3), mm; global ones need `rotation` (3, 3) and `base` (3,)."""
         if rotation is not None:
             points = (points - base) @ rotation
         set_rows(self._coordinates.point, points)
@@ -27,15 +27,15 @@ class MeshNodes:
 
 
 class ValueColours:
-    """Shows one value a vertex as colours of a material that is bound PER_VERTEX_INDEXED."""
+    """Values per vertex as colours of a material that is bound PER_VERTEX_INDEXED."""
 
     def __init__(self, material, ramp: np.ndarray, missing):
-        """``ramp`` (k, 3): colours from the low to the high end; ``missing``: of no value."""
+        """Set the colours `ramp` (k, 3) from low to high, and `missing` for no value."""
         self._material = material
         self._colours = np.vstack([ramp, missing])
 
     def show(self, values: np.ndarray, span) -> None:
-        """Colours (n,) values, not a number where there is none, in a span (low, high)."""
+        """Colour values (n,) in a span (low, high); NaN counts as missing."""
         low, high = span
         last = len(self._colours) - 2
         scale = last / (high - low) if high > low else 0.0
@@ -47,9 +47,9 @@ class ValueColours:
 
 
 def show_patch(drawn, triangles: np.ndarray, vertices: np.ndarray) -> bool:
-    """Draws vertices (k,) of a mesh with ``triangles`` (m, 3); whether there is anything.
+    """Draw vertices (k,) of a mesh with `triangles` (m, 3); return whether any are visible.
 
-    ``drawn``: nodes for facets between them, lines around those, and the vertices that are left.
+    `drawn` are the nodes for the facets, for the lines around them and for the other vertices.
     """
     faces, lines, points = patch_pieces(triangles, vertices)
     nodes.set_index(drawn[0], faces)
@@ -61,10 +61,10 @@ def show_patch(drawn, triangles: np.ndarray, vertices: np.ndarray) -> bool:
 
 
 def patch_pieces(triangles: np.ndarray, vertices):
-    """How a set of vertices is drawn: (f, 3) facets, (e, 2) edges that outline them, (p,) the rest.
+    """Return facets (f, 3), outline edges (e, 2) and isolated vertices (p,) of a set.
 
-    A facet is drawn if all its vertices are in the set, an edge if both are and at most one
-    facet at it is drawn: so a rim without facets is a line of its own.
+    A facet is drawn if all its vertices are in the set. An edge is drawn if both ends are in the
+    set and at most one facet at it is drawn, so that a rim without facets is a line.
     """
     ids = np.unique(np.asarray(vertices, dtype=np.int64))
     chosen = np.zeros(1 + max(triangles.max(initial=-1), ids.max(initial=-1)), bool)
@@ -82,14 +82,14 @@ def patch_pieces(triangles: np.ndarray, vertices):
 
 
 def _edges(triangles: np.ndarray, count: int) -> np.ndarray:
-    """The edges (3m,) of triangles, each a number: smaller vertex * ``count`` + larger one."""
+    """Return the edges (3 m,) of triangles as numbers: smaller vertex * `count` + larger one."""
     starts = triangles.astype(np.int64)
     ends = starts[:, [1, 2, 0]]
     return (np.minimum(starts, ends) * count + np.maximum(starts, ends)).ravel()
 
 
 def set_rows(field, rows: np.ndarray) -> None:
-    """Writes (n, 3) values into a field of Coin with several values."""
+    """Write values (n, 3) into a field of Coin."""
     field.setNum(len(rows))
     if len(rows):
         field.setValues(0, len(rows), np.ascontiguousarray(rows, np.float32))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A part drawn in the colours of one value a vertex, over the part as it is shown."""
+"""A part in the colours of one value per vertex, on top of the displayed part."""
 
 import numpy as np
 from pivy import coin
@@ -12,10 +12,10 @@ NAME = "SheetMorphValueMap"
 
 
 class ValueMap:
-    """In a view until ``remove`` is called; follows the part."""
+    """The drawing in a view until `remove`; it follows the part."""
 
     def __init__(self, view, part, triangles: np.ndarray, colours: np.ndarray):
-        """``triangles`` (m, 3) of the part; ``colours`` (n, 3), 0 to 1, of its vertices."""
+        """Draw `triangles` (m, 3) of the part with `colours` (n, 3), 0 to 1, of its vertices."""
         self._root = coin.SoSeparator()
         self._root.setName(NAME)
         material = coin.SoMaterial()
@@ -30,7 +30,7 @@ class ValueMap:
         self._hanging = Hanging(view.getSceneGraph(), self._root)
 
     def remove(self) -> None:
-        """Takes the map out of the view."""
+        """Remove the map."""
         self._hanging.remove()
 
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The mouse in the 3D view, as rays in global coordinates and places on the screen.
+"""The mouse in the 3D view as rays in global coordinates and places on the screen.
 
-A Qt event filter, because FreeCAD keeps button-up events over geometry from its own callbacks.
-What a tool does not claim is left to FreeCAD: turning and zooming work in every navigation style.
+This is a Qt event filter, because FreeCAD withholds button-up events over geometry from its own
+callbacks. FreeCAD gets the events that a tool does not claim, so that turning and zooming work in
+every navigation style.
 """
 
 from dataclasses import dataclass
@@ -14,13 +15,13 @@ from freecad.sheetmorph import generations
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.tools.figures import Camera
 
-CLICK_TRAVEL = 4  # logical px that a click may move between button down and up
-WHEEL_STEP = 120.0  # what Qt counts for one step of a wheel
+CLICK_TRAVEL = 4  # logical px that the mouse may move during a click
+WHEEL_STEP = 120.0  # Qt's unit for one step of a wheel
 
 
 @dataclass(frozen=True)
 class Pointer:
-    """Where the mouse points: a ray (mm, global), px from the lower left, the modifier keys."""
+    """The position of the mouse: a ray (mm, global), px from the lower left, modifier keys."""
 
     origin: np.ndarray
     direction: np.ndarray
@@ -30,40 +31,43 @@ class Pointer:
 
 
 class Listener:
-    """What a tool may do with the mouse and the keys of the view."""
+    """The reactions of a tool to mouse and keys of the view."""
 
     def on_move(self, pointer) -> None:
-        """The mouse moved with no button down; None: it left the view, or a button is down."""
+        """Handle a move without a button; None if the mouse left or a button is down."""
 
     def on_click(self, pointer) -> None:
-        """The left button was pressed and released in one place."""
+        """Handle a press and release of the left button in one place."""
 
     def on_press(self, _pointer) -> bool:
-        """The left button went down; True claims it until it is released: FreeCAD sees nothing."""
+        """Handle a press of the left button; return True to claim it until its release.
+
+        FreeCAD gets no events of a claimed button.
+        """
         return False
 
     def on_drag(self, pointer) -> None:
-        """The mouse moved while the left button was claimed."""
+        """Handle a move with the claimed left button."""
 
     def on_release(self, pointer) -> None:
-        """The left button that was claimed went up."""
+        """Handle the release of the claimed left button."""
 
     def on_wheel(self, _steps: float) -> bool:
-        """The wheel turned, up positive, with no key down; True claims it."""
+        """Handle the wheel without keys (up is positive); return True to claim it."""
         return False
 
     def on_escape(self) -> None:
-        """The Escape key."""
+        """Handle the Escape key."""
 
     def on_enter(self) -> None:
-        """The Enter key."""
+        """Handle the Enter key."""
 
 
 class Viewport(QtCore.QObject):
-    """Tells a listener about mouse and keys until ``remove`` is called."""
+    """A filter that reports mouse and keys to a listener until `remove`."""
 
     def __init__(self, view, listener):
-        """``listener``: a Listener, or what has its methods."""
+        """Install the filter; `listener` is a Listener or has its methods."""
         super().__init__()
         self._view = view
         self._listener = listener
@@ -79,10 +83,10 @@ class Viewport(QtCore.QObject):
         view.graphicsView().installEventFilter(self)
 
     def remove(self) -> None:
-        """Gives the mouse back to FreeCAD; the view may be closed already.
+        """Return the mouse to FreeCAD; the view may be closed already.
 
-        It lets go of the widget too: PySide would take a wrapper that outlives its widget for
-        whatever is made at the same address next.
+        The reference to the widget goes too. PySide would take a wrapper that outlives its widget
+        for the next object at the same address.
         """
         try:
             self._widget.removeEventFilter(self)
@@ -90,7 +94,7 @@ class Viewport(QtCore.QObject):
             self._widget.setMouseTracking(self._tracked)
             self._role.set("TRUE")
         except RuntimeError:
-            pass  # closed: there is nothing to give back
+            pass  # closed: the filters are gone
         self._view = self._widget = self._listener = None
 
     @property
@@ -99,11 +103,11 @@ class Viewport(QtCore.QObject):
         return self._widget
 
     def camera(self) -> Camera:
-        """What the view shows now."""
+        """Return the present camera of the view."""
         return camera_of(self._view)
 
     def eventFilter(self, _watched, event) -> bool:
-        """Hands events to the listener; consumes those that it claims."""
+        """Pass events to the listener and consume those that it claims."""
         kind = event.type()
         if kind == QtCore.QEvent.MouseMove:
             return self._moved(event)
@@ -155,27 +159,28 @@ class Viewport(QtCore.QObject):
 
 
 def take_every_move(is_wanted: bool) -> None:
-    """Whether moves of the mouse that wait come one by one, instead of the last one alone.
+    """Switch whether every mouse move is reported, or only the latest.
 
-    A figure that is drawn while the view is slow would lose its corners otherwise.
+    A figure drawn in a slow view would otherwise lose its corners.
     """
     compress = QtCore.Qt.AA_CompressHighFrequencyEvents
     QtCore.QCoreApplication.setAttribute(compress, not is_wanted)
 
 
 def camera_of(view) -> Camera:
-    """What a view shows now."""
+    """Return the present camera of a view."""
     width, height = view.getSize()
-    matrix = np.array(view_volume(view).getMatrix().getValue(), dtype=float).T  # Coin's transpose
+    # Coin uses the transpose
+    matrix = np.array(view_volume(view).getMatrix().getValue(), dtype=float).T
     return Camera(np.ascontiguousarray(matrix), float(width), float(height))
 
 
 def pointer_of(view, widget, event) -> Pointer:
-    """Where a mouse event on the widget of a view points."""
+    """Return the pointer of a mouse event on the widget of a view."""
     ratio = widget.devicePixelRatioF()
     x = round(event.pos().x() * ratio)
     y = round((widget.height() - 1 - event.pos().y()) * ratio)
-    # Not by the view's own projectPointToLine: in a view higher than wide that is wrong.
+    # projectPointToLine of the view is wrong in a view that is higher than wide.
     near, far = camera_of(view).line(x, y)
     keys = event.modifiers()
     shift, control = keys & QtCore.Qt.ShiftModifier, keys & QtCore.Qt.ControlModifier
@@ -183,9 +188,10 @@ def pointer_of(view, widget, event) -> Pointer:
 
 
 def camera_node(view):
-    """The camera of a view in Coin; raises RuntimeError for a view that is closed or closes.
+    """Return the Coin camera of a view.
 
-    Such a view may have none any more, and FreeCAD's own getCameraNode() dies of that.
+    Raises RuntimeError for a closed or closing view. Such a view may have no camera, for which
+    FreeCAD's getCameraNode() crashes.
     """
     camera = generations.viewer_of(view).getSoRenderManager().getCamera()
     if camera is None:
@@ -194,7 +200,7 @@ def camera_node(view):
 
 
 def view_volume(view):
-    """The part of space that a view shows, an SbViewVolume."""
+    """Return the SbViewVolume of a view."""
     width, height = view.getSize()
     aspect = width / max(height, 1)
     volume = camera_node(view).getViewVolume(aspect)
@@ -204,9 +210,9 @@ def view_volume(view):
 
 
 def mm_per_px(view, place) -> float:
-    """How large a pixel of a view is at a place, an SbVec3f, global."""
+    """Return the size of a pixel at a place, a global SbVec3f, mm."""
     volume, (_, height) = view_volume(view), view.getSize()
-    size = volume.getHeight()  # of what is seen nearest to the eye
+    size = volume.getHeight()  # of the near plane
     if volume.getProjectionType() == coin.SbViewVolume.PERSPECTIVE:
         depth = (place - volume.getProjectionPoint()).dot(volume.getProjectionDirection())
         size *= depth / volume.getNearDist()

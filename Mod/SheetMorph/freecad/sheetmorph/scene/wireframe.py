@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Control meshes as wires in the 3D view; they move at every call of ``show``."""
+"""Control meshes as wires in the 3D view, updated by every call of `show`."""
 
 import numpy as np
 from pivy import coin
@@ -12,7 +12,7 @@ NAME = "SheetMorphControlMeshes"
 
 
 class Wireframe:
-    """The wires of some meshes, global mm, until ``remove`` is called."""
+    """The wires of meshes, global mm, until `remove`."""
 
     def __init__(self, view):
         self._topology = []
@@ -25,7 +25,7 @@ class Wireframe:
         self._hanging = Hanging(view.getSceneGraph(), self._root)
 
     def show(self, meshes) -> None:
-        """Shows meshes: a list of vertices (m, 3) mm and triangles (t, 3); none shows nothing."""
+        """Show meshes, a list of vertices (m, 3) mm and triangles (t, 3); none hides the wires."""
         points = np.concatenate([np.zeros((0, 3))] + [mesh[0] for mesh in meshes])
         self._coordinates.point.setNum(len(points))
         if len(points):
@@ -36,12 +36,12 @@ class Wireframe:
             self._connect(wires.of_all(meshes))
 
     def positions(self) -> np.ndarray:
-        """The vertices that are in the view: (m, 3) mm, in single precision."""
+        """Return the displayed vertices, (m, 3) mm, in single precision."""
         found = [value.getValue() for value in self._coordinates.point.getValues()]
         return np.array(found, dtype=float).reshape(-1, 3)
 
     def remove(self) -> None:
-        """Takes the wires out of the view."""
+        """Remove the wires."""
         self._hanging.remove()
 
     def _connect(self, edges: np.ndarray) -> None:
@@ -49,5 +49,5 @@ class Wireframe:
 
 
 def same(some: list, others: list) -> bool:
-    """Whether two lists of arrays are equal."""
+    """Return whether two lists of arrays are equal."""
     return len(some) == len(others) and all(map(np.array_equal, some, others))

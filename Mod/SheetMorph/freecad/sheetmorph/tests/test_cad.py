@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """CAD files and shapes of the document become parts, meshed by the kernel's own reader."""
 
-import importlib
 import os
-import unittest
 
 import FreeCAD
 import Import
@@ -202,17 +200,3 @@ class TestFiles(CadTest):
         self.document.recompute()
         restored = self.reopen(self.document)
         self.assertEqual(api.exact_features(restored.getObject(name)), before)
-
-
-class TestOneProcess(unittest.TestCase):
-    def test_the_kernel_and_freecad_share_one_opencascade(self):
-        kernel.load()
-        cad = importlib.import_module("sheetmorph._cad")
-        with open("/proc/self/maps", encoding="utf-8") as file:
-            loaded = {line.split()[-1] for line in file if "libTKernel" in line}
-        self.assertEqual(len(loaded), 1, loaded)
-        with self.assertRaises(ValueError):
-            cad.read_brep("nothing", "x")
-        shape = Part.Shape()
-        shape.importBrepFromString(Part.makeBox(1, 2, 3).exportBrepToString())
-        self.assertAlmostEqual(shape.Volume, 6.0)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colours for numbers: what a map of values shows and its legend says."""
+"""The colours that a map of values and its legend show for numbers."""
 
 from __future__ import annotations
 
 import numpy as np
 
-# Dark blue to yellow through green, even in lightness, distinct for the colour-blind (viridis).
+# Viridis: from dark blue through green to yellow, even in lightness, clear to the colour-blind.
 STOPS = np.array(
     [
         (0.267, 0.005, 0.329),
@@ -16,14 +16,14 @@ STOPS = np.array(
     ]
 )
 MISSING = (0.62, 0.64, 0.66)
-"""Where there is no value."""
+"""The colour of a vertex without a value."""
 
 NARROWEST = 0.1
-"""A legend spans at least this share of its middle: rounding is no pattern."""
+"""The least span of a legend as a share of its middle, so that rounding shows no pattern."""
 
 
 def span_of(values: np.ndarray) -> tuple[float, float]:
-    """The range (low, high) of a legend for values (n,), NaN left out; (0, 1) without any."""
+    """Return the range (low, high) of a legend for values (n,); (0, 1) without a finite value."""
     low, high = range_of(values)
     middle = 0.5 * (low + high)
     half = max(0.5 * (high - low), 0.5 * NARROWEST * abs(middle))
@@ -31,18 +31,21 @@ def span_of(values: np.ndarray) -> tuple[float, float]:
 
 
 def range_of(values: np.ndarray) -> tuple[float, float]:
-    """The least and the greatest of values (n,), NaN left out; (0, 1) without any."""
+    """Return the least and the greatest finite value of (n,); (0, 1) without any."""
     known = values[np.isfinite(values)]
     return (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
 
 
 def ramp(count: int) -> np.ndarray:
-    """All colours of a legend from low to high, (count, 3)."""
+    """Return the colours of a legend from low to high, (count, 3)."""
     return colours_of(np.linspace(0.0, 1.0, count), (0.0, 1.0))
 
 
 def colours_of(values: np.ndarray, span: tuple[float, float]) -> np.ndarray:
-    """Colours (n, 3), 0 to 1, of values (n,) in a span; NaN is grey, what is outside its end's."""
+    """Return colours (n, 3), 0 to 1, of values (n,) in a span.
+
+    NaN is grey. A value outside the span has the colour of the nearer end.
+    """
     low, high = span
     share = np.clip((np.nan_to_num(values, nan=low) - low) / max(high - low, 1e-300), 0.0, 1.0)
     places = np.linspace(0.0, 1.0, len(STOPS))
@@ -52,7 +55,7 @@ def colours_of(values: np.ndarray, span: tuple[float, float]) -> np.ndarray:
 
 
 def round_up(value: float) -> float:
-    """The next of 1, 2, 5, 10, ... that is not less: a legend that does not flicker."""
+    """Return the least of 1, 2, 5, 10, … not below a value, for a legend without flicker."""
     if not value > 0.0:
         return 1.0
     power = 10.0 ** np.floor(np.log10(value))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cures for a mesh: which a diagnosis offers, and what they were worth."""
+"""The repairs of a mesh that a diagnosis offers, and a summary of their effect."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from html import escape
 from freecad.sheetmorph.tools.words import length
 
 NEEDED = ("weld", "orient", "remesh", "scale")
-"""Cures without which a part is not fit to bend."""
+"""The repairs without which a part cannot be deformed well."""
 
 
 FEW = 0.01
-"""Slivers of this share of all triangles or fewer do no harm."""
+"""The largest share of sliver triangles that does no harm."""
 
 
 @dataclass(frozen=True)
 class Wish:
-    """What is asked for: lengths in mm, None for no weld and no remesh."""
+    """The repairs to make: lengths in mm, None for no weld and no remesh."""
 
     weld: float | None = None
     edge: float | None = None
@@ -29,42 +29,43 @@ class Wish:
     is_split: bool = False
 
     def changes_mesh(self) -> bool:
-        """Whether the mesh is to be another one."""
+        """Return whether the repairs change the mesh."""
         return self.weld is not None or self.edge is not None or self.scale != 1.0
 
     def arguments(self) -> dict:
-        """The arguments of `api.prepare` that differ from its defaults."""
+        """Return the arguments of `api.prepare` that differ from its defaults."""
         default = asdict(Wish())
         given = {key: value for key, value in asdict(self).items() if value != default[key]}
         return {key: value for key, value in given.items() if not key.startswith("is_")}
 
 
 def units() -> dict[str, float]:
-    """The units that a mesh may be in other than mm, and how many mm each has."""
+    """Return the units other than mm that a mesh may have, with their length in mm."""
     from sheetmorph.file_unit import UNITS
 
     return {name: scale for name, scale in UNITS.items() if scale != 1.0}
 
 
 def unit_of(diagnosis: dict) -> str:
-    """The unit to propose for a mesh that is not in mm: the likeliest one, else metres."""
+    """Return the likeliest unit of a mesh that is not in mm, else metres."""
     unit = diagnosis["unit"]
     likely = [name for name in (unit["guess"], *unit["plausible"]) if name in units()]
     return likely[0] if likely else "m"
 
 
 def is_needed(diagnosis: dict) -> bool:
-    """Whether a part is not fit to bend as it is."""
+    """Return whether a part needs a repair before it can be deformed well."""
     few = FEW * diagnosis["triangles"]
     return any(
         finding["cure"] in NEEDED and (finding["cure"] != "remesh" or finding["count"] > few)
         for finding in diagnosis["findings"]
-        if finding["finding"] != "long edges"  # where coarse is fine enough, only the eye knows
+        # only the user can judge whether a coarse mesh is fine enough
+        if finding["finding"] != "long edges"
     )
 
 
 def offered(diagnosis: dict) -> Wish:
-    """The cures that a diagnosis offers."""
+    """Return the repairs that a diagnosis offers."""
     keys: dict = {}
     for finding in diagnosis["findings"]:
         if finding["cure"] != "split":
@@ -78,12 +79,12 @@ def offered(diagnosis: dict) -> Wish:
 
 
 def pieces(diagnosis: dict) -> int:
-    """How many pieces there are that nothing connects."""
+    """Return the number of connected components."""
     return len(diagnosis["components"])
 
 
 def tolerance_of(diagnosis: dict) -> float:
-    """The tolerance to weld with, mm: that of the diagnosis, up to the next full digit."""
+    """Return the weld tolerance of a diagnosis in mm, rounded up to one significant digit."""
     tolerance = diagnosis["tolerance"]
     if not tolerance > 0.0:
         return 0.0
@@ -92,13 +93,13 @@ def tolerance_of(diagnosis: dict) -> float:
 
 
 def with_unit_of(diagnosis: dict, first: dict) -> dict:
-    """A diagnosis in another unit, with what the first one says about the unit."""
+    """Return a diagnosis in another unit with the findings about the unit from the first one."""
     unit = [finding for finding in first["findings"] if finding["finding"] == "unit"]
     return {**diagnosis, "findings": unit + diagnosis["findings"]}
 
 
 def as_text(diagnosis: dict) -> str:
-    """A diagnosis as rich text: what the mesh is, and what is the matter."""
+    """Return a diagnosis as rich text: the kind of mesh and its faults."""
     kinds = {"open shell": "an open sheet", "thin solid": "a thin solid", "mixed": "of many kinds"}
     kind = kinds.get(diagnosis["kind"], f"a {diagnosis['kind']}")
     number = diagnosis["triangles"]
@@ -110,7 +111,7 @@ def as_text(diagnosis: dict) -> str:
 
 
 def summary(made) -> str:
-    """What a preparation (sheetmorph.PreparedMesh) did, as rich text."""
+    """Return the effect of a preparation (`sheetmorph.PreparedMesh`) as rich text."""
     from sheetmorph.words import counted, preparation
 
     done, fresh = made.preparation, made.preparation["remesh"]

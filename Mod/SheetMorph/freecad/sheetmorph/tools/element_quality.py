@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The quality of the elements of decks while a morph moves, by a measure of the certificate."""
+"""The quality of the elements of decks during a motion, by a measure of the certificate."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from freecad.sheetmorph.tools import colour_scale
 
 BINS = 24
-# By measure: its unit, what its worst value is called, and the ends that its colours begin with.
+# For each measure: its unit, the label of its worst value, the first ends of its colours.
 MEASURES = {
     "aspect": ("", "worst aspect", (1.0, 2.0)),
     "warpage": ("°", "worst warpage", (0.0, 1.0)),
@@ -28,8 +28,9 @@ Positions = dict[str, np.ndarray]
 
 @dataclass(frozen=True, eq=False)
 class Histogram:
-    """How many elements have which values, at rest and now: (BINS,) each, over a span; limit: where
-    the criteria end, None where they have none; failing: how many elements are beyond it.
+    """The number of elements by value, at rest and now, (BINS,) each, over a span.
+
+    `limit` is the limit of the criteria, None without one. `failing` counts the elements beyond it.
     """
 
     span: tuple[float, float]
@@ -39,8 +40,10 @@ class Histogram:
     failing: int
 
     def bars(self, width: float, height: float) -> list[tuple]:
-        """How it is drawn: left and right end of each bar, its height and that of the one at rest,
-        by the square root (a few bad elements among thousands are what one looks for), colour.
+        """Return left end, right end, height now, height at rest and colour of each bar.
+
+        Heights grow with the square root of the count, so that a few bad elements among thousands
+        stay visible.
         """
         ends = np.linspace(0.0, width, len(self.now) + 1)
         middles = (ends[1:] + ends[:-1]) / (2.0 * width)
@@ -50,7 +53,7 @@ class Histogram:
         return list(zip(ends[:-1], ends[1:], *tall, colours.tolist()))
 
     def place_of_limit(self) -> float | None:
-        """Where on the span the limit is, 0 to 1; None if there is none, or it is beyond."""
+        """Return the position of the limit on the span, 0 to 1; None if absent or outside."""
         low, high = self.span
         if self.limit is None or not low <= self.limit <= high:
             return None
@@ -58,18 +61,21 @@ class Histogram:
 
     @property
     def count(self) -> int:
-        """How many elements there are."""
+        """The number of elements."""
         return int(self.now.sum())
 
 
 class ElementQuality:
-    """The worst of the elements at every vertex; ``histogram`` is that of the last call."""
+    """The worst value of the elements at every vertex, with the `histogram` of the last call."""
 
     def __init__(
         self, name: str, measured: Callable, limits: Mapping[str, float], parts: dict[str, tuple]
     ):
-        """``measured(positions, faces)`` gives (e,) values; ``limits``: min or max of them;
-        ``parts``: by name points (n, 3) at rest and faces (e, 4)."""
+        """Prepare a measure for parts at rest.
+
+        `measured(positions, faces)` returns values (e,). `limits` has their "min" or "max". `parts`
+        maps names to points at rest (n, 3) and faces (e, 4).
+        """
         self.unit, self.worst, self._ends = MEASURES[name]
         self.is_low_bad = name in LOW_IS_BAD
         self._measured, self._limits = measured, limits
@@ -78,13 +84,13 @@ class ElementQuality:
         self.histogram: Histogram | None = None
 
     def __call__(self, positions: Positions) -> Positions:
-        """The values (n,) by part."""
+        """Return the values (n,) by part."""
         found = self._all(positions)
         self.histogram = self._histogram(found)
         return {name: self._at_vertices(name, values) for name, values in found.items()}
 
     def span(self, _extreme: float) -> tuple[float, float]:
-        """The ends of the colours: those of the histogram."""
+        """Return the ends of the colours, which are those of the histogram."""
         return self.histogram.span
 
     def _all(self, positions: Positions) -> Positions:
@@ -95,7 +101,7 @@ class ElementQuality:
     def _at_vertices(self, name: str, values: np.ndarray) -> np.ndarray:
         count, faces = self._parts[name]
         start = np.inf if self.is_low_bad else -np.inf
-        # One more for what is no corner.
+        # The extra last row takes the -1 that stands for the missing corner of a triangle.
         found = np.full(count + 1, start)
         pick = np.minimum if self.is_low_bad else np.maximum
         for corner in range(4):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Closed figures on the screen, (k, 2) px each, and the camera that shows what is in them."""
+"""Closed figures on the screen, (k, 2) px each, and the camera under which they were drawn."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ BRUSH, RECTANGLE, LASSO = "brush", "rectangle", "lasso"
 DRAWN = (BRUSH, RECTANGLE, LASSO)
 SIDES = 32  # of the polygon that stands for a circle
 NEAREST = 2.0  # px between the corners of a lasso
-STRIDE = 0.25  # of its radius between the places of a brush's stroke that are kept
-SMALLEST, LARGEST, STEP = 4.0, 400.0, 1.15  # px, and how the wheel changes a radius
+STRIDE = 0.25  # of the radius, between two stored places of a brush stroke
+SMALLEST, LARGEST, STEP = 4.0, 400.0, 1.15  # px, and the factor of one wheel step on the radius
 
 
 @dataclass(frozen=True)
 class Camera:
-    """What the view shows: (4, 4) from (x, y, z, 1), global mm, to clip coordinates; size in px."""
+    """The projection (4, 4) from global mm to clip coordinates, and the view's size in px."""
 
     to_clip: np.ndarray
     width: float
@@ -29,44 +29,47 @@ class Camera:
 
     @classmethod
     def of_pixels(cls, matrix: np.ndarray) -> Camera:
-        """From the rows (4, 4), or (3, 4) without perspective, that give px, depth and divisor."""
+        """Return the camera of rows (4, 4) that give px, depth and divisor.
+
+        Rows (3, 4) stand for a view without perspective.
+        """
         clip = np.vstack([matrix, [[0.0, 0.0, 0.0, 1.0]]])[:4]
         clip[:2] -= clip[3]
         return cls(clip, 2.0, 2.0)
 
     @property
     def to_pixels(self) -> np.ndarray:
-        """(4, 4) to px from the lower left corner, depth, and what to divide by."""
+        """The matrix (4, 4) to px from the lower left corner, depth and divisor."""
         found = self.to_clip.astype(float)
         found[0] = 0.5 * self.width * (found[0] + found[3])
         found[1] = 0.5 * self.height * (found[1] + found[3])
         return found
 
     def line(self, x: float, y: float) -> tuple[np.ndarray, np.ndarray]:
-        """Where the line of sight through a pixel enters and leaves what is shown, (3,) mm each."""
+        """Return the ends (3,) mm of the line of sight through a pixel, within the view."""
         place = (2.0 * x / self.width - 1.0, 2.0 * y / self.height - 1.0)
         ends = np.linalg.solve(self.to_clip, np.array([(*place, z, 1.0) for z in (-1.0, 1.0)]).T)
         near, far = (ends[:3] / ends[3]).T
         return near, far
 
     def may_show(self, low: np.ndarray, high: np.ndarray, outline: np.ndarray) -> bool:
-        """Whether anything between two corners (3,) may be seen around a figure (k, 2) px."""
+        """Return whether a box between corners (3,) may be visible around a figure (k, 2) px."""
         choice = np.array([[k & 1, k & 2, k & 4] for k in range(8)], bool)
         corners = np.column_stack([np.where(choice, high, low), np.ones(8)]) @ self.to_clip.T
         if (corners[:, 3] <= 0.0).any():
-            return True  # behind the eye, perhaps in part
+            return True  # at least partly behind the eye
         places = 0.5 * (1.0 + corners[:, :2] / corners[:, 3:]) * (self.width, self.height)
-        below, above = (places.min(axis=0) - 1.0, places.max(axis=0) + 1.0)  # px of rounding
+        below, above = (places.min(axis=0) - 1.0, places.max(axis=0) + 1.0)  # 1 px for rounding
         return bool((below <= outline.max(axis=0)).all() and (above >= outline.min(axis=0)).all())
 
 
 def circle(centre: Place, radius: float) -> np.ndarray:
-    """The circle."""
+    """Return a circle as a polygon."""
     return swept(centre, centre, radius)
 
 
 def swept(start: Place, end: Place, radius: float) -> np.ndarray:
-    """What a circle covers on its way from one place to another."""
+    """Return the outline of the area that a circle covers from one place to another."""
     along = math.atan2(end[1] - start[1], end[0] - start[0])
     half = np.linspace(-math.pi / 2, math.pi / 2, SIDES // 2 + 1)
     angles = np.concatenate([along + half, along + math.pi + half])
@@ -75,13 +78,13 @@ def swept(start: Place, end: Place, radius: float) -> np.ndarray:
 
 
 def rectangle(one: Place, other: Place) -> np.ndarray:
-    """The rectangle between two opposite corners."""
+    """Return the rectangle between two opposite corners."""
     (left, low), (right, high) = one, other
     return np.array([[left, low], [right, low], [right, high], [left, high]], dtype=float)
 
 
 def lasso(places: Sequence[Place]) -> np.ndarray:
-    """The figure along the places, those too near to the one before left out."""
+    """Return the figure through the places, without those too near to the previous one."""
     kept = [places[0]]
     for place in places[1:]:
         if math.dist(place, kept[-1]) >= NEAREST:
@@ -90,7 +93,7 @@ def lasso(places: Sequence[Place]) -> np.ndarray:
 
 
 def outlines(figure) -> list[np.ndarray]:
-    """What a `sentences.DrawnFigure` covers, in the pieces in which it was drawn."""
+    """Return the outlines that a `sentences.DrawnFigure` covers, in the order of drawing."""
     places = [tuple(place) for place in figure.places]
     if figure.tool == BRUSH:
         strokes = zip(places, places[1:])
@@ -104,12 +107,12 @@ def outlines(figure) -> list[np.ndarray]:
 
 
 def number(value: float) -> float:
-    """A whole number as such."""
+    """Return a whole number as int, another one as float."""
     return int(value) if float(value).is_integer() else float(value)
 
 
 def resized(radius: float, steps: float) -> float:
-    """The radius of the brush after so many steps of the wheel, px."""
+    """Return the radius of the brush (px) after a number of wheel steps."""
     return min(max(radius * STEP**steps, SMALLEST), LARGEST)
 
 
@@ -117,13 +120,13 @@ class Drawing:
     """The figure that the mouse draws while its button is down."""
 
     def __init__(self, tool: str, start: Place, radius: float = 0.0):
-        """``tool``: BRUSH with a ``radius``, RECTANGLE or LASSO."""
+        """Start a figure at a place; `tool` is BRUSH with a `radius`, RECTANGLE or LASSO."""
         self._tool, self._radius = tool, radius
         self._places = [start]
-        self._last = start  # where the mouse is; a brush keeps a place now and then
+        self._last = start  # the present place of the mouse, of which a brush stores only some
 
     def go_to(self, place: Place) -> np.ndarray:
-        """Goes on to a place; returns what of a brush's stroke is new, else the figure so far."""
+        """Continue to a place; return the new area of a brush stroke, else the figure so far."""
         self._last = place
         if self._tool != BRUSH:
             self._places.append(place)
@@ -135,7 +138,7 @@ class Drawing:
         return swept(last, place, self._radius)
 
     def rest(self) -> np.ndarray | None:
-        """What of a brush's stroke is still to come when the button is let go; None if nothing."""
+        """Return the last area of a brush stroke when the button is released, None if empty."""
         last = self._places[-1]
         if self._tool != BRUSH or self._last == last:
             return None
@@ -144,7 +147,7 @@ class Drawing:
 
     @property
     def places(self) -> list[list[float]]:
-        """The places that say what the figure is."""
+        """The places that define the figure."""
         kept = self._places
         if self._tool == RECTANGLE:
             kept = [kept[0], kept[-1]]
@@ -153,7 +156,7 @@ class Drawing:
         return [[number(x), number(y)] for x, y in kept]
 
     def outline(self) -> np.ndarray:
-        """The figure so far; for a brush the circle where it is."""
+        """Return the figure so far; for a brush, the circle at its present place."""
         if self._tool == BRUSH:
             return circle(self._last, self._radius)
         if self._tool == RECTANGLE:
@@ -162,6 +165,6 @@ class Drawing:
 
     @property
     def has_extent(self) -> bool:
-        """Whether it is more than a click; a brush takes clicks too."""
+        """Whether the figure is more than a click; a brush accepts clicks too."""
         extent = np.ptp(np.array(self._places), axis=0)
         return self._tool == BRUSH or bool((extent > 2 * NEAREST).any())

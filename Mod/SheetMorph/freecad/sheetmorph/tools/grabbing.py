@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which vertex of which part the mouse points at."""
+"""The vertex of a part under the mouse."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 @dataclass(frozen=True, eq=False)
 class Grabbed:
-    """A vertex of a part and where it is seen, (3,) mm, global."""
+    """A vertex of a part and its displayed position, (3,) mm, global."""
 
     part: str
     vertex: int
@@ -18,10 +18,10 @@ class Grabbed:
 
 
 def grab(core, meshes: dict, ray) -> Grabbed | None:
-    """The vertex next to where a ray first meets one of the meshes, None if it meets none.
+    """Return the vertex nearest to where a ray first meets a mesh, None if it meets none.
 
-    ``core``: sheetmorph._core; ``meshes``: by name of the part points (n, 3), where they are
-    seen, and triangles (m, 3); ``ray``: part_mesh.Ray.
+    `core` is `sheetmorph._core`. `meshes` maps part names to displayed points (n, 3) and triangles
+    (m, 3). `ray` is a `part_mesh.Ray`.
     """
     nearest, reach = None, np.inf
     for name, (points, triangles) in meshes.items():

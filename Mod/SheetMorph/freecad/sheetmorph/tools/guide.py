@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a morph still needs, step by step: from facts about a document to words for a person."""
+"""The steps that a morph still needs, derived from facts about its document."""
 
 from __future__ import annotations
 
@@ -68,25 +68,25 @@ MOVED = QT_TRANSLATE_NOOP(
 
 @dataclass(frozen=True)
 class Facts:
-    """What a document says about one morph; the default is: nothing is there."""
+    """The facts of a document about one morph; the default is an empty document."""
 
     morphs: int = 0
-    parts: tuple[str, ...] = ()  # names, no two of them equal
+    parts: tuple[str, ...] = ()  # unique names
     primary: str = ""
-    edited: tuple[str, str] = ("", "")  # labels of a shape and of the part that was made from it
-    joined: tuple[tuple[str, str], ...] = ()  # names of parts with a contact in use
-    is_single: bool = False  # one control mesh for all
+    edited: tuple[str, str] = ("", "")  # labels of an edited shape and of the part made from it
+    joined: tuple[tuple[str, str], ...] = ()  # names of parts joined by an active contact
+    is_single: bool = False  # one control mesh for all parts
     fixed: int = 0
     features: int = 0
     handles: int = 0
     is_moved: bool = False
-    failure: str = ""  # what the last recompute said if it failed
-    faulty_role: str = ""  # role of the region that the failure names, "contact", or nothing
+    failure: str = ""  # the error message of the last recompute if it failed
+    faulty_role: str = ""  # role of the region that the failure names, "contact", or empty
 
 
 @dataclass(frozen=True)
 class Step:
-    """One step: its state, and words with gaps for values."""
+    """One step with its state, and its text with gaps for values."""
 
     key: str
     state: str
@@ -95,7 +95,7 @@ class Step:
 
 
 def steps(facts: Facts) -> list[Step]:
-    """Return all steps in their order; at most one is NEXT, and one AFTER it."""
+    """Return all steps in order; at most one is NEXT, and one AFTER it."""
     found = [
         parts_step(facts),
         counted(FIXED, facts.fixed, NO_FIXED, SOME_FIXED),
@@ -111,7 +111,7 @@ def steps(facts: Facts) -> list[Step]:
 
 
 def parts_step(facts: Facts) -> Step:
-    """Is there something to deform, and is it what it was made from?"""
+    """Return the step for the parts; it is optional when a source shape has changed."""
     if all(facts.edited):
         return Step(PARTS, OPTIONAL, EDITED, dict(zip(("source", "part"), facts.edited)))
     if facts.parts:
@@ -123,18 +123,18 @@ def parts_step(facts: Facts) -> Step:
 
 
 def counted(key: str, count: int, none: str, some: str) -> Step:
-    """A step that is done when there is one of something."""
+    """Return a step that is done as soon as one object exists."""
     return Step(key, DONE, some, {"count": count}) if count else Step(key, OPEN, none)
 
 
 def features_step(facts: Facts) -> Step:
-    """Holes that keep their shape are the point of it all, but a sheet may have none."""
+    """Return the step for form features, which is optional since a sheet may have no holes."""
     step = counted(FEATURES, facts.features, NO_FEATURES, SOME_FEATURES)
     return step if facts.features else Step(FEATURES, OPTIONAL, step.text)
 
 
 def contacts_step(facts: Facts) -> Step:
-    """Is every part reached?"""
+    """Return the step for contacts, done when they connect every part with the primary."""
     if len(facts.parts) < 2:
         return Step(CONTACTS, DONE if facts.parts else OPEN, ONE_PART if facts.parts else NOT_READY)
     if facts.is_single:
@@ -147,7 +147,7 @@ def contacts_step(facts: Facts) -> Step:
 
 
 def drag_step(facts: Facts) -> Step:
-    """Has anything been moved?"""
+    """Return the step for moving a handle."""
     if not (facts.fixed and facts.handles):
         return Step(DRAG, OPEN, NOT_READY)
     return Step(DRAG, DONE, MOVED) if facts.is_moved else Step(DRAG, OPEN, NOT_MOVED)
@@ -167,20 +167,20 @@ def unreached(facts: Facts) -> list[str]:
 
 
 def faulty_step(facts: Facts) -> str:
-    """The step that a failure belongs to which names no region."""
+    """Return the step of a failure that names no region."""
     return CONTACTS if facts.faulty_role == "contact" else DRAG
 
 
 def with_failure(step: Step, facts: Facts) -> Step:
-    """The step in which something is wrong, in the words of the recompute."""
+    """Return the step as faulty, with the error message of the recompute."""
     return Step(step.key, FAULTY, "{failure}", {"failure": facts.failure})
 
 
 def with_next(found: list[Step]) -> list[Step]:
     """Mark the first step that is not done as NEXT.
 
-    If that one is optional, the first that is needed is AFTER: one may go on there. What is
-    optional is passed over when something after it is done.
+    If that step is optional, the first required one is AFTER, and the user may continue there. An
+    optional step is passed over when a later step is done.
     """
     if any(step.state == FAULTY for step in found):
         return found

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One thing at a time; of what is asked for meanwhile only the last counts."""
+"""A queue for one job, in which a newer job replaces the one that waits."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 
 class Latest:
-    """Keeps what is next; who does the work says when it is finished."""
+    """The running job's state and the job that waits; the worker reports when it has finished."""
 
     def __init__(self) -> None:
         self._waiting: Any = None
@@ -15,11 +15,11 @@ class Latest:
 
     @property
     def is_waiting(self) -> bool:
-        """Whether something newer than what is under way has been asked for."""
+        """Whether a newer job waits for the running one."""
         return self._waiting is not None
 
     def ask(self, job: Any) -> Any:
-        """Returns the job if it can begin now, else None: it waits in place of another one."""
+        """Return the job if it can begin now; else let it wait and return None."""
         if self.is_busy:
             self._waiting = job
             return None
@@ -27,11 +27,11 @@ class Latest:
         return job
 
     def finish(self) -> Any:
-        """Returns the job that begins now that one is finished, None if none waits."""
+        """Return the job that begins now that one has finished, None if none waits."""
         job, self._waiting = self._waiting, None
         self.is_busy = job is not None
         return job
 
     def drop(self) -> None:
-        """Forgets what waits."""
+        """Discard the waiting job."""
         self._waiting = None

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One value a vertex while a morph moves: how far it went, how good its triangles, how open a gap.
+"""One value per vertex during a motion, such as displacement, element quality or gap.
 
-Parts are given by name; positions are (n, 3) mm, global; a vertex without a value has NaN.
+Dictionaries have the part name as key. Positions are (n, 3) mm, global. A vertex without a value
+has NaN.
 """
 
 from __future__ import annotations
@@ -15,14 +16,14 @@ from freecad.sheetmorph.tools import colour_scale
 
 PERFECT = 60.0  # degrees: the corners of an equilateral triangle
 MOST_PLACES = 10
-APART = 0.12  # of a part's size: places are at least that far from each other
-NEAR = 0.25  # of a part's size: a region farther than that names no place
-LEAST_STRETCH = 0.05  # percent: less is no place to look at
+APART = 0.12  # of the part's size: least distance between two places
+NEAR = 0.25  # of the part's size: largest distance at which a region names a place
+LEAST_STRETCH = 0.05  # percent: a smaller value marks no place
 Positions = dict[str, np.ndarray]
 
 
 class Displacement:
-    """How far every vertex is from where it was at rest, mm."""
+    """The distance of every vertex from its position at rest, mm."""
 
     unit, worst = "mm", "farthest"
 
@@ -30,22 +31,22 @@ class Displacement:
         self._rest = rest
 
     def __call__(self, positions: Positions) -> Positions:
-        """The values (n,) by part."""
+        """Return the values (n,) by part."""
         return {name: _lengths(positions[name] - rest) for name, rest in self._rest.items()}
 
 
 class Quality:
-    """The smallest corner of the triangles at every vertex, degrees: 60 is best."""
+    """The smallest corner of the triangles at every vertex, degrees; 60 is best."""
 
     unit, worst = "°", "sharpest corner"
     is_low_bad = True
 
     def __init__(self, core, triangles: dict[str, np.ndarray]):
-        """``core``: sheetmorph._core; ``triangles`` (m, 3) by part."""
+        """Prepare the measure; `core` is `sheetmorph._core`, `triangles` are (m, 3) by part."""
         self._core, self._triangles = core, triangles
 
     def __call__(self, positions: Positions) -> Positions:
-        """The values (n,) by part."""
+        """Return the values (n,) by part."""
         return {
             name: self._core.vertex_quality(positions[name], triangles)
             for name, triangles in self._triangles.items()
@@ -53,21 +54,24 @@ class Quality:
 
     @staticmethod
     def span(_extreme: float) -> tuple[float, float]:
-        """The ends of its colours."""
+        """Return the ends of the colours."""
         return 0.0, PERFECT
 
 
 class Stretch:
-    """By how much the sheet is stretched or pressed around every vertex at most, percent.
+    """The largest stretch or compression of the sheet around every vertex, percent.
 
-    Compared with the shape at rest that has the sizes of the pose: ``start_from``.
+    The reference is the shape at rest with the sizes of the pose, see `start_from`.
     """
 
     unit, worst = "%", "largest stretch"
 
     def __init__(self, stretches, meshes: dict[str, tuple], regions: Iterable[Region] = ()):
-        """``stretches``: sheetmorph.strain.PrincipalStretches; ``meshes``: by part points (n, 3)
-        at rest and triangles (m, 3)."""
+        """Prepare the measure for parts at rest.
+
+        `stretches` is `sheetmorph.strain.PrincipalStretches`. `meshes` maps part names to points at
+        rest (n, 3) and triangles (m, 3).
+        """
         self._stretches = stretches
         self._parts = {
             name: (triangles, len(rest), *_around(triangles))
@@ -82,13 +86,13 @@ class Stretch:
         self._regions = tuple(regions)
 
     def start_from(self, rest: Positions) -> None:
-        """Compare with other positions (n, 3) from now on; the same arrays cost nothing."""
+        """Set the reference positions (n, 3); passing the same arrays again costs nothing."""
         for name, points in rest.items():
             if name not in self._from or self._from[name][0] is not points:
                 self._from[name] = points, self._stretches(points, self._parts[name][0])
 
     def __call__(self, positions: Positions) -> Positions:
-        """The values (n,) by part."""
+        """Return the values (n,) by part."""
         found = {}
         for name, (_, count, vertices, order, starts) in self._parts.items():
             strain = 100.0 * np.abs(self._from[name][1](positions[name]) - 1.0).max(axis=1)
@@ -99,7 +103,7 @@ class Stretch:
         return found
 
     def places(self, positions: Positions, values: Positions) -> tuple[Place, ...]:
-        """Where the sheets are stretched most, the worst place first."""
+        """Return the places of largest stretch, the worst first."""
         found = [
             Place(name, positions[name][k], float(values[name][k]))
             for name in values
@@ -108,7 +112,7 @@ class Stretch:
         return tuple(sorted(found, key=lambda place: -place.value)[:MOST_PLACES])
 
     def near(self, positions: Positions, place: Place) -> str:
-        """What the region of the part is called that is nearest to a place."""
+        """Return the label of the part's region nearest to a place, empty if none is near."""
         reach, label = NEAR * self._sizes[place.part], ""
         for region in self._regions:
             if region.part == place.part and len(region.vertices):
@@ -121,7 +125,7 @@ class Stretch:
 
 @dataclass(frozen=True, eq=False)
 class Region:
-    """Vertices (k,) of a part that have a name."""
+    """Named vertices (k,) of a part."""
 
     label: str
     part: str
@@ -130,7 +134,7 @@ class Region:
 
 @dataclass(frozen=True, eq=False)
 class Place:
-    """A vertex of a part with one of the worst values: where it is, (3,) mm."""
+    """A vertex of a part with one of the worst values, and its position (3,) mm."""
 
     part: str
     point: np.ndarray
@@ -138,7 +142,7 @@ class Place:
 
 
 def _peaks(values, points, apart: float) -> list[int]:
-    """The largest values, apart from each other."""
+    """Return the vertices of the largest values, at least `apart` from each other."""
     left = np.flatnonzero(np.nan_to_num(values) >= LEAST_STRETCH)
     found: list[int] = []
     while len(left) and len(found) < MOST_PLACES:
@@ -149,8 +153,10 @@ def _peaks(values, points, apart: float) -> list[int]:
 
 
 def _around(triangles):
-    """The vertices that triangles (m, 3) have, the triangles around one after the other, and where
-    those of each begin."""
+    """Return the vertices of triangles (m, 3), and the triangles around each of them.
+
+    The triangles of all vertices are in one array; a third array has the start of each vertex.
+    """
     corners = np.asarray(triangles).ravel()
     order = np.argsort(corners, kind="stable")
     vertices, starts = np.unique(corners[order], return_index=True)
@@ -159,7 +165,7 @@ def _around(triangles):
 
 @dataclass(frozen=True, eq=False)
 class Side:
-    """Vertices (k,) of a part and the part they face."""
+    """Vertices (k,) of a part and the name of the part that they face."""
 
     part: str
     vertices: np.ndarray
@@ -167,18 +173,18 @@ class Side:
 
 
 class Gaps:
-    """By how much the distance of the vertices of contacts to the other part has changed, mm."""
+    """The change of the distance from the vertices of contacts to the other part, mm."""
 
     unit, worst = "mm", "largest change"
 
     def __init__(self, core, meshes: dict[str, tuple], sides: Iterable[Side]):
-        """``meshes``: by part points (n, 3) at rest and triangles (m, 3)."""
+        """Measure the gaps at rest; `meshes` has points (n, 3) and triangles (m, 3) by part."""
         self._counts = {name: len(points) for name, (points, _) in meshes.items()}
         trees = {name: core.PickingTree(*mesh) for name, mesh in meshes.items()}
         self._feet = [self._foot(trees[side.other], meshes, side) for side in sides]
 
     def __call__(self, positions: Positions) -> Positions:
-        """The values (n,) by part."""
+        """Return the values (n,) by part."""
         found = {name: np.full(count, np.nan) for name, count in self._counts.items()}
         for side, corners, weights, gap in self._feet:
             values = np.abs(_gaps(positions, side, corners, weights) - gap)
@@ -188,7 +194,7 @@ class Gaps:
 
     @staticmethod
     def _foot(tree, meshes: dict[str, tuple], side: Side) -> tuple:
-        """Where every vertex of a side touches the other part at rest, and how far that is."""
+        """Return the foot points of a side's vertices on the other part at rest, and the gaps."""
         rest = {name: points for name, (points, _) in meshes.items()}
         hits = [tree.nearest_point(point) for point in rest[side.part][side.vertices]]
         corners = meshes[side.other][1][[hit.triangle for hit in hits]]
@@ -207,9 +213,11 @@ def _lengths(vectors: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Legend:
-    """The values at the two ends of the colours, the worst value and the part it is on;
-    histogram: an element_quality.Histogram where elements are measured; places: the worst; near:
-    which region the first of them is near to."""
+    """The values at both ends of the colours, the worst value and its part.
+
+    `histogram` is an `element_quality.Histogram` where elements are measured. `places` are the
+    worst places. `near` is the label of the region near the first place.
+    """
 
     span: tuple[float, float]
     extreme: float
@@ -220,7 +228,7 @@ class Legend:
 
 
 def legend_of(valuer, positions: Positions, values: Positions) -> Legend:
-    """The legend for what one of the above answered; the part is empty if there is no value."""
+    """Return the legend for the values of a measure; its part is empty without any value."""
     is_low_bad = getattr(valuer, "is_low_bad", False)
     known = {name: found[np.isfinite(found)] for name, found in values.items()}
     known = {name: found for name, found in known.items() if len(found)}
@@ -241,7 +249,7 @@ def _from_zero(extreme: float) -> tuple[float, float]:
 
 
 def turn_of(rotation: np.ndarray) -> float:
-    """The angle of a rotation (3, 3), degrees from 0 to 180."""
+    """Return the angle of a rotation (3, 3), degrees from 0 to 180."""
     skew = rotation - rotation.T
     sine = 0.5 * np.linalg.norm((skew[2, 1], skew[0, 2], skew[1, 0]))
     return float(np.degrees(np.arctan2(sine, 0.5 * (np.trace(rotation) - 1.0))))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a region moves: one type from the mouse to the kernel, whose package takes it as it is."""
+"""The motion of a region, one type from the mouse to the kernel."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ import numpy as np
 
 Triple = tuple[float, float, float]
 CENTROID = "centroid"
-"""What scripts and saved poses call a pivot that is none."""
+"""The value of `pivot` in scripts and saved poses for a turn about the centroid."""
 UP = (0.0, 0.0, 1.0)
 
 
 class Turn(NamedTuple):
-    """About an axis of any length."""
+    """A rotation about an axis of any length."""
 
     axis: Triple
     radians: float
@@ -24,10 +24,10 @@ class Turn(NamedTuple):
 
 @dataclass(frozen=True)
 class Motion:
-    """Always from rest, global: translation mm, axis, angle in degrees, pivot mm.
+    """A motion from rest, global: translation mm, axis, angle in degrees, pivot mm.
 
-    translation None: of a form feature, which the sheet moves; axis None: as the sheet turns it;
-    pivot None: the centroid; size mm, None: as it is.
+    A form feature that follows the sheet has the translation None; an axis None lets the sheet turn
+    it. A pivot None is the centroid. A size (mm) None keeps the present size.
     """
 
     translation: Triple | None = (0.0, 0.0, 0.0)
@@ -35,17 +35,17 @@ class Motion:
     angle: float = 0.0
     pivot: Triple | None = None
     size: float | None = None
-    target = None  # points alone have one, and no object in a document
+    target = None  # only points have a target, and no object of a document has one
 
     @property
     def rotation(self) -> Turn | None:
-        """What the kernel is told of the turn; None if there is nothing to tell."""
+        """The rotation for the kernel, None if the motion prescribes none."""
         if self.axis is None or (self.angle == 0.0 and self.translation is not None):
             return None
         return Turn(self.axis if self.angle else UP, math.radians(self.angle))
 
     def entry(self) -> dict:
-        """The same as a recipe has it."""
+        """Return the motion as an entry of a recipe."""
         told: dict = {}
         if self.translation is not None:
             told["translation"] = list(self.translation)
@@ -56,32 +56,35 @@ class Motion:
         return told if self.size is None else {**told, "size": self.size}
 
     def fault(self) -> str:
-        """What is wrong with it, in words; empty if nothing."""
+        """Return the fault of the motion as a sentence, empty if it has none."""
         if self.axis is not None and not any(self.axis):
             return "The axis is zero: give it a direction."
         return ""
 
     def is_rest(self) -> bool:
-        """Whether it moves nothing."""
+        """Return whether the motion moves nothing."""
         return not any(self.translation) and self.angle == 0.0
 
     def arguments(self) -> dict:
-        """The arguments of ``api.set_motion``."""
+        """Return the arguments of `api.set_motion`."""
         pivot = CENTROID if self.pivot is None else self.pivot
         turn = {"axis": self.axis, "angle": self.angle}
         return {"translation": self.translation, **turn, "pivot": pivot}
 
     def keywords(self) -> dict[str, str]:
-        """The same as source text that gives the same numbers."""
+        """Return the arguments as source text that evaluates to the same numbers."""
         return {name: repr(value) for name, value in self.arguments().items()}
 
     def shifted(self, shift) -> Motion:
-        """The same, farther by (3,) mm."""
+        """Return the motion with a further shift (3,) mm."""
         moved = np.asarray(self.translation) + np.asarray(shift)
         return replace(self, translation=rounded(moved))
 
     def turned(self, translation, axis, angle: float) -> Motion:
-        """Another motion about the same pivot; whole turns and axis stay if it turns no farther."""
+        """Return a motion with another translation and rotation about the same pivot.
+
+        Axis and whole turns stay if the rotation is equal to the present one.
+        """
         other = replace(self, translation=translation)
         if not angle and not self.angle:
             return other
@@ -93,9 +96,9 @@ class Motion:
         return replace(self, translation=translation) if is_same else other
 
     def about(self, pivot, place) -> Motion:
-        """The same motion told about another point, the one that has come to ``place`` (3,) mm.
+        """Return the same motion about another pivot, whose moved position is `place` (3,) mm.
 
-        ``pivot`` (3,) mm: where the present pivot is at rest.
+        `pivot` (3,) mm is the position of the present pivot at rest.
         """
         turn, start = self.matrix(), np.asarray(pivot, float)
         moved = np.asarray(place, float) - start - np.asarray(self.translation)
@@ -104,7 +107,7 @@ class Motion:
         return replace(self, translation=tuple(shift.tolist()), pivot=tuple(found.tolist()))
 
     def matrix(self) -> np.ndarray:
-        """The rotation as a matrix (3, 3)."""
+        """Return the rotation as a matrix (3, 3)."""
         x, y, z = np.asarray(self.axis, float) / np.linalg.norm(self.axis)
         cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
         turn = np.radians(self.angle)
@@ -112,7 +115,7 @@ class Motion:
 
 
 def motion_from(entry: dict) -> Motion:
-    """What an entry of a recipe's pose tells a handle or a form feature."""
+    """Return the motion of a handle or form feature from a recipe's pose entry."""
     turn = entry.get("rotation") or {"degrees": 0.0}
     shift = tuple(map(float, entry.get("translation", (0.0, 0.0, 0.0))))
     axis = tuple(map(float, turn["axis"])) if turn["degrees"] else UP
@@ -121,6 +124,6 @@ def motion_from(entry: dict) -> Motion:
 
 
 def rounded(values) -> Triple:
-    """Without digits that no mouse can mean."""
+    """Return values rounded to 0.0001, since a mouse is less exact."""
     x, y, z = (round(float(value), 4) + 0.0 for value in values)
     return x, y, z

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Picking a region: what a click or a drawn figure means, what is picked, how to take it back."""
+"""Picking a region by clicks and drawn figures, with undo."""
 
 from __future__ import annotations
 
@@ -20,42 +20,42 @@ VERTEX, FACET, FACE, RIM, WHOLE = "vertex", "facet", "face", "rim", "whole"
 
 @dataclass(frozen=True)
 class Options:
-    """What one click or figure takes."""
+    """The options of one click or figure."""
 
     what: str = FACE  # one of the names above, or of figures.DRAWN
     mode: str = REPLACE  # without a modifier key
     crease: float = math.radians(30.0)  # radians
     rings: int = 0  # around a hole rim
-    holes_only: bool = False  # a click near the outline takes no rim
-    through: bool = False  # also what something hides
+    holes_only: bool = False  # a click near the outline picks no rim
+    through: bool = False  # hidden vertices count too
     radius: float = 25.0  # of the brush, px
 
 
 def mode_of(shift: bool, control: bool, mode: str = REPLACE) -> str:
-    """Shift adds, Ctrl removes, without either the chosen mode."""
+    """Return the mode for modifier keys: Shift adds, Ctrl removes, neither keeps `mode`."""
     if control:
         return REMOVE
     return ADD if shift else mode
 
 
 class Taken:
-    """Vertices that other regions have, and that a pick must leave to them."""
+    """Vertices that belong to other regions, which a pick leaves out."""
 
     def __init__(self, regions: dict[str, np.ndarray] | None = None):
-        """`regions`: the vertices by the label of the region."""
+        """Create the set; `regions` maps labels of regions to their vertices."""
         self._regions = {label: to_ids(ids) for label, ids in (regions or {}).items()}
         self.vertices = to_ids(np.concatenate([NOTHING, *self._regions.values()]))
 
     def owners(self, vertices: np.ndarray) -> list[str]:
-        """The labels of the regions that have some of the vertices."""
+        """Return the labels of the regions that contain some of the vertices."""
         return [name for name, ids in self._regions.items() if np.isin(vertices, ids).any()]
 
 
 class RegionPicker:
-    """The state of picking on one part; meshes answer as ``part_mesh.PartMesh`` does."""
+    """The state of picking on one part, with meshes like `part_mesh.PartMesh`."""
 
     def __init__(self, mesh, picked: Iterable[int] = (), options: Options = Options(), others=()):
-        """``others``: the meshes of other parts in view, which may hide this one."""
+        """Start with picked vertices; `others` are the meshes that may hide this one."""
         self._mesh = mesh
         self._taken = Taken()
         self._left_out = NOTHING
@@ -68,48 +68,48 @@ class RegionPicker:
 
     @property
     def picked(self) -> np.ndarray:
-        """The vertices picked now, ascending."""
+        """The picked vertices, ascending."""
         return self._picked
 
     @property
     def said(self) -> Said:
-        """What the picks say, a selector in global coordinates at rest; None if nobody knows."""
+        """The picks as a selector in global coordinates at rest, None if unknown."""
         return self._said
 
     def begin_with(self, where: Said) -> None:
-        """Says what is picked from the beginning, a selector in the coordinates of the file."""
+        """Set the selector of the initial vertices, in the coordinates of the file."""
         self._said = {KEPT: where}
 
     def leave(self, taken: Taken) -> None:
-        """Leaves what other regions have out of every pick from now on."""
+        """Leave the vertices of other regions out of every later pick."""
         self._taken = taken
 
     @property
     def refused(self) -> list[str]:
-        """The labels of the regions that the last pick had to leave something to."""
+        """The labels of the regions whose vertices the last pick left out."""
         return self._taken.owners(self._left_out)
 
     @property
     def options(self) -> Options:
-        """What a click takes."""
+        """The options of a click."""
         return self._options
 
     @property
     def can_go_back(self) -> bool:
-        """Whether there is a pick to take back."""
+        """Whether a pick can be undone."""
         return bool(self._history)
 
     def choose(self, **options) -> None:
-        """Changes options, by the names in Options."""
+        """Change options by their names in Options."""
         self._options = replace(self._options, **options)
 
     def mode(self, shift: bool, control: bool) -> str:
-        """What a pick with these keys down does; the strokes of a brush add up by themselves."""
+        """Return the mode of a pick with these keys; strokes of a brush always add."""
         found = mode_of(shift, control, self._options.mode)
         return ADD if found == REPLACE and self._options.what == BRUSH else found
 
     def aim(self, ray: Ray) -> np.ndarray:
-        """What a click along the ray would take; empty if nothing, or if another part hides it."""
+        """Return the vertices that a click would pick, none if another part hides them."""
         options, mesh = self._options, self._mesh
         found = mesh.hit(ray)
         if found is not None and self._is_hidden(ray, found[1]):
@@ -129,23 +129,23 @@ class RegionPicker:
         return mesh.piece(found[0])
 
     def aim_inside(self, camera: Camera, outline: np.ndarray) -> np.ndarray:
-        """What a closed figure (k, 2) px on the screen would take."""
+        """Return the vertices that a closed figure (k, 2) px would pick."""
         hiding = None if self._options.through else [self._mesh, *self._others]
         return self._mesh.inside(camera, outline, hiding)
 
     def paint(self, camera: Camera, outline: np.ndarray) -> np.ndarray:
-        """Adds a figure to the stroke that is being drawn; returns what the stroke has so far."""
+        """Add a figure to the present stroke; return all vertices of the stroke so far."""
         self._painted = np.union1d(self._painted, self.aim_inside(camera, outline))
         return self._painted
 
     def take_painted(self, mode: str, said: Said = None) -> bool:
-        """Takes what the stroke has; one without anything changes nothing."""
+        """Pick the vertices of the stroke and end it; return whether that changed anything."""
         painted = self._painted
         self.forget_painted()
         return bool(len(painted)) and self.take(painted, mode, said)
 
     def told(self, ray: Ray) -> Said:
-        """What a click along the ray says: the face, rim or piece at this place."""
+        """Return a click as a selector: the face, rim or piece at its place."""
         options, mesh = self._options, self._mesh
         found = mesh.hit(ray)
         crease = number(round(math.degrees(options.crease), 9))
@@ -162,18 +162,18 @@ class RegionPicker:
         return {"piece_at": place}
 
     def forget_painted(self) -> None:
-        """Begins a new stroke."""
+        """Start a new stroke."""
         self._painted = NOTHING
 
     def click(self, ray: Ray, mode: str = REPLACE) -> bool:
-        """Takes what the ray aims at; a click into the void changes nothing and returns False."""
+        """Pick what the ray aims at; return False if it meets nothing or nothing changes."""
         target = self.aim(ray)
         return bool(len(target)) and self.take(target, mode, self.told(ray))
 
     def take(self, vertices: Iterable[int], mode: str = REPLACE, said: Said = None) -> bool:
-        """Replaces, adds or removes vertices; whether that changed anything.
+        """Replace, add or remove vertices; return whether that changed anything.
 
-        ``said``: the selector that gives them, if anybody knows.
+        `said` is the selector of the vertices, if it exists.
         """
         target = to_ids(vertices)
         if mode == ADD:
@@ -183,7 +183,7 @@ class RegionPicker:
         return self._become(target, None if said is None else [said])
 
     def take_holes(self) -> bool:
-        """Picks the rims of all holes."""
+        """Pick the rims of all holes."""
         rims = self._mesh.hole_rims(self._options.rings)
         said = [
             {"rim_at": place, "alone": True, **({"rings": rings} if rings else {})}
@@ -193,24 +193,24 @@ class RegionPicker:
         return self._become(to_ids(np.concatenate([NOTHING, *rims])), said)
 
     def grow(self) -> bool:
-        """Adds one ring of neighbours."""
+        """Add one ring of neighbours."""
         return self._become(self._mesh.grown(self._picked), changed("grow", self._said))
 
     def shrink(self) -> bool:
-        """Takes the outermost ring away."""
+        """Remove the outermost ring."""
         return self._become(self._mesh.shrunk(self._picked), changed("shrink", self._said))
 
     def invert(self) -> bool:
-        """Picks what is not picked."""
+        """Pick the vertices that are not picked."""
         others = np.setdiff1d(self._mesh.used, self._picked)
         return self._become(others, removed([{"all": True}], self._said or None))
 
     def clear(self) -> bool:
-        """Picks nothing."""
+        """Pick nothing."""
         return self._become(NOTHING, [])
 
     def back(self) -> bool:
-        """Takes back the last change."""
+        """Undo the last change."""
         if not self._history:
             return False
         self._left_out = NOTHING
@@ -218,7 +218,7 @@ class RegionPicker:
         return True
 
     def groups(self) -> Sequence[np.ndarray]:
-        """The connected pieces of what is picked."""
+        """Return the connected pieces of the picked vertices."""
         return self._mesh.groups(self._picked)
 
     def _is_hidden(self, ray: Ray, point: np.ndarray) -> bool:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Poses: what moves and how, by name of the region; kept as text, blended number by number."""
+"""Poses: motions by region name, stored as text and interpolated number by number."""
 
 from __future__ import annotations
 
@@ -15,34 +15,34 @@ Pose = dict[str, Motion]
 
 @dataclass(frozen=True)
 class Snapshot:
-    """Motions and sizes, mm, of all that a pose tells about, by name of the region."""
+    """The motions and sizes (mm) of a pose by region name."""
 
     motions: Pose
     sizes: dict[str, float]
 
 
 def to_text(pose: Pose) -> str:
-    """The pose as JSON; every number is read back to the bit."""
+    """Return the pose as JSON, from which every number is read back exactly."""
     return json.dumps({name: motion.arguments() for name, motion in sorted(pose.items())})
 
 
 def from_text(text: str) -> Pose:
-    """What ``to_text`` wrote."""
+    """Return the pose from the text of `to_text`."""
     entries = json.loads(text or "{}")
     return {name: _motion(entry) for name, entry in entries.items()}
 
 
 def blended(first: Pose, second: Pose, weight: float) -> Pose:
-    """The pose between two, the first at weight 0, the second at 1; both name the same regions.
+    """Return the pose between two that name the same regions: the first at weight 0.
 
-    Translations and pivots go straight; rotations go along their axis, between two axes along
-    the line between axis times angle, so whole turns count.
+    Translations and pivots are interpolated linearly. Rotations are interpolated as axis times
+    angle, so that whole turns count.
     """
     return {name: between(first[name], second[name], weight) for name in first}
 
 
 def between(first: Motion, second: Motion, weight: float) -> Motion:
-    """The motion between two; one about the centroid meets only another one about it."""
+    """Return the motion between two; the pivot is the centroid if it is that of either motion."""
     if weight in (0.0, 1.0):
         return second if weight else first
     ends = [np.asarray(m.axis, float) / np.linalg.norm(m.axis) * m.angle for m in (first, second)]
@@ -50,7 +50,7 @@ def between(first: Motion, second: Motion, weight: float) -> Motion:
     angle = float(np.linalg.norm(turn))
     axis = tuple((turn / angle).tolist()) if angle else first.axis
     along = np.dot(axis, first.axis if first.angle else second.axis)
-    if angle and along < 0.0:  # the same turn, told about the axis the user knows
+    if angle and along < 0.0:  # the same rotation about the axis that the user gave
         axis, angle = tuple(-c for c in axis), -angle
     is_free = None in (first.pivot, second.pivot)
     return replace(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far a drag has gone, in words, and a value typed in its place; needs no FreeCAD."""
+"""The length of a drag as text, and a typed value in its place; needs no FreeCAD."""
 
 from __future__ import annotations
 
@@ -11,29 +11,29 @@ from freecad.sheetmorph.tools.motion import Motion, rounded
 from freecad.sheetmorph.tools.words import plain
 
 FIRST = "0123456789.,+-("
-"""What a value begins with; then every character may come: 100/4, 10 in, 2*(3+1)."""
+"""The characters that begin a value; any may follow, as in 100/4, 10 in, 2*(3+1)."""
 
 
 class Pull:
-    """A drag from one motion to another: along a direction, or about an axis."""
+    """A drag from one motion to another, along a direction or about an axis."""
 
     def __init__(self, start: Motion):
         self._start = self._now = start
         self.text = ""
 
     def moved(self, now: Motion) -> bool:
-        """The mouse has come to another motion; False while a value is typed: that counts."""
+        """Set the present motion of the mouse; return False if a typed value replaces it."""
         if not self.text:
             self._now = now
         return not self.text
 
     @property
     def is_turn(self) -> bool:
-        """Whether it turns, and does not shift."""
+        """Whether the drag turns and does not shift."""
         return not self._shift().any() and self._angle() != 0.0
 
     def described(self) -> str:
-        """How far it has gone, or what is being typed."""
+        """Return the length or angle of the drag, or the typed text."""
         if self.text:
             return f"{self.text}▏"
         if self.is_turn:
@@ -41,16 +41,16 @@ class Pull:
         return f"{plain(float(np.linalg.norm(self._shift())), 4)} mm"
 
     def type(self, key: str) -> bool:
-        """Takes a typed character, or nothing for backspace; False if it is none of a value."""
+        """Add a typed character, or delete one if `key` is empty; return False if refused."""
         if key and not (key.isprintable() and (self.text or key in FIRST)):
             return False
         if not self._shift().any() and self._angle() == 0.0:
-            return False  # nowhere yet: no direction
+            return False  # the drag has no direction yet
         self.text = self.text + key if key else self.text[:-1]
         return True
 
     def with_value(self, value: float) -> Motion:
-        """The motion that goes so far, mm or degrees, where the drag is going."""
+        """Return the motion of the drag with another length in mm, or angle in degrees."""
         if self.is_turn:
             sign = 1.0 if self._angle() > 0.0 else -1.0
             return replace(self._now, angle=self._start.angle + sign * value)

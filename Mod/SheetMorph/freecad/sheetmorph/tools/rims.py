@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Closed loops of vertices, and which of them a ray points at."""
+"""Closed loops of vertices, and the search for the loop under a ray."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-OUTLINE_REACH = 0.05  # of its size: how far beside the part a click still takes its outline
+OUTLINE_REACH = 0.05  # of the outline's size: how far beside the part a click still picks it
 
 
 @dataclass(frozen=True)
@@ -19,10 +19,10 @@ class Ray:
 
 
 class Rims:
-    """The closed loops of one part, vertex ids in order; ``outlines`` are no holes."""
+    """The closed loops of one part as ordered vertex ids; `outlines` are not holes."""
 
     def __init__(self, loops: list[np.ndarray], points: np.ndarray, outlines: set[int]):
-        """``points``: (n, 3) mm of the part; ``outlines``: numbers of loops."""
+        """Create the loops; `points` (n, 3) are in mm, `outlines` are numbers of loops."""
         self.loops, self.outlines = loops, outlines
         self._starts = np.cumsum([0] + [len(loop) for loop in loops])[:-1]
         self._points = points[np.concatenate([np.zeros(0, int), *loops]).astype(int)]
@@ -35,13 +35,14 @@ class Rims:
         )
 
     def holes(self) -> list[np.ndarray]:
-        """The loops that are no outlines."""
+        """Return the loops that are not outlines."""
         return [loop for k, loop in enumerate(self.loops) if k not in self.outlines]
 
     def nearest(self, ray: Ray, hit, holes_only: bool):
-        """The loop nearest to the point ``hit`` (3,) of the part, else to a ray beside it.
+        """Return the loop nearest to the point `hit` (3,) of the part, else to the ray.
 
-        A ray beside the part finds a hole it runs through and an outline it passes by, or None.
+        A ray beside the part finds a hole that it passes through, or an outline that it passes
+        near, or None.
         """
         allowed = [k for k in range(len(self.loops)) if not (holes_only and k in self.outlines)]
         if not allowed:
@@ -57,10 +58,10 @@ class Rims:
 
 
 def extent(points: np.ndarray) -> float:
-    """The diagonal of the bounding box of (k, 3) points, mm."""
+    """Return the diagonal of the bounding box of points (k, 3), mm."""
     return float(np.linalg.norm(np.ptp(points, axis=0)))
 
 
 def length(points: np.ndarray) -> float:
-    """The length of the closed line through (k, 3) points, mm."""
+    """Return the length of the closed line through points (k, 3), mm."""
     return float(np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1).sum())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What picks say: selectors in global coordinates while they are picked, of the file afterwards."""
+"""Selectors of picks: global while picking, in the coordinates of the file afterwards."""
 
 from __future__ import annotations
 
@@ -15,8 +15,10 @@ from freecad.sheetmorph.tools.figures import DRAWN, number
 
 @dataclass(frozen=True)
 class Length:
-    """How long a sentence is: digits behind the point, of a camera in all; how far a figure may be
-    from the one that was drawn, px."""
+    """The precision of a selector: decimals of a point, significant digits of a camera.
+
+    `away` is the largest deviation (px) of a shortened figure from the drawn one.
+    """
 
     digits: int
     camera: int
@@ -24,21 +26,22 @@ class Length:
 
 
 LENGTHS_TRIED = (Length(3, 4, 6.0), Length(3, 5, 2.0), Length(3, 7), Length(6, 10), Length(17, 17))
-"""With which a sentence is tried, the shortest first."""
+"""The precisions to try for a selector, the shortest first."""
 SHOWN = LENGTHS_TRIED[2]
 EXACT = LENGTHS_TRIED[-1]
 KEPT = "kept"
-"""A key around what is in the coordinates of the file already."""
+"""The key around a selector that is in the coordinates of the file already."""
 POINTS = ("face_at", "rim_at", "piece_at")
 
-Said = Any  # a selector, None where nobody knows what to say
+Said = Any  # a selector, None if unknown
 
 
 @dataclass(frozen=True)
 class DrawnFigure:
-    """A figure on the screen: places (px), of a brush its radius, and what the view showed.
+    """A figure on the screen: its places (px), the radius of a brush, and the camera.
 
-    camera: the rows that give px, depth and divisor, the last one left out without perspective.
+    `camera` has the rows that give px, depth and divisor; without perspective the last row is
+    absent.
     """
 
     tool: str
@@ -48,7 +51,7 @@ class DrawnFigure:
     through: bool = False
 
     def said(self) -> dict:
-        """As a selector has it."""
+        """Return the figure as a selector."""
         places = [value for place in self.places for value in place]
         told = {self.tool: places, "camera": self.camera}
         if self.radius:
@@ -59,7 +62,10 @@ class DrawnFigure:
 
 
 def tool_of(told: dict) -> str:
-    """What a figure was drawn with: the key of its places. Raises KeyError if there is none."""
+    """Return the tool of a drawn figure, the key of its places.
+
+    Raises KeyError if there is not exactly one.
+    """
     found = [tool for tool in DRAWN if tool in told]
     if len(found) != 1:
         raise KeyError("figure")
@@ -67,7 +73,10 @@ def tool_of(told: dict) -> str:
 
 
 def figure_of(told: dict) -> DrawnFigure:
-    """The figure of a selector. Raises ValueError if it is none."""
+    """Return the figure of a selector.
+
+    Raises ValueError if the selector describes no valid figure.
+    """
     try:
         tool = tool_of(told)
         figure = DrawnFigure(
@@ -85,26 +94,26 @@ def figure_of(told: dict) -> DrawnFigure:
 
 
 def added(first: Said, second: Said) -> Said:
-    """Both together."""
+    """Return the union of two selectors."""
     if first is None or second is None:
         return None
     return [*(first if isinstance(first, list) else [first]), second]
 
 
 def removed(first: Said, second: Said) -> Said:
-    """The first without the second."""
+    """Return the first selector without the second."""
     return None if first is None or second is None else {"minus": [first, second]}
 
 
 def changed(key: str, said: Said) -> Said:
-    """Grown or shrunk by a ring."""
+    """Return a selector grown or shrunk by one ring; `key` is "grow" or "shrink"."""
     return None if said is None else {key: 1, "of": said}
 
 
 def in_file(said: Said, frame: Any, length: Length = EXACT) -> Said:
-    """The same in the coordinates of a part's file, no longer than that.
+    """Return a selector in the coordinates of the part's file, with the given precision.
 
-    `frame`: has rotation, base, origin, as conversion.Frame.
+    `frame` has rotation, base and origin, as conversion.Frame.
     """
     if isinstance(said, list):
         return [in_file(one, frame, length) for one in said]
@@ -127,12 +136,12 @@ def in_file(said: Said, frame: Any, length: Length = EXACT) -> Said:
 
 
 def rounded(values: np.ndarray, digits: int) -> list[float]:
-    """Plain numbers, whole ones as such."""
+    """Return values rounded to a number of decimals, whole numbers as int."""
     return [number(round(float(value), digits)) for value in values]
 
 
 def camera_in_file(camera: Sequence[float], frame: Any, digits: int) -> list[float]:
-    """The rows of a camera for the coordinates of the file, with so many digits in all."""
+    """Return the rows of a camera for the coordinates of the file, rounded to `digits`."""
     to_global = np.eye(4)
     to_global[:3, :3] = frame.rotation
     to_global[:3, 3] = frame.base - frame.rotation @ frame.origin
@@ -145,14 +154,14 @@ def camera_in_file(camera: Sequence[float], frame: Any, digits: int) -> list[flo
 
 
 def significant(value: float, digits: int) -> float:
-    """A number with so many significant digits."""
+    """Return a number rounded to significant digits."""
     if value == 0.0 or not math.isfinite(value):
         return 0
     return number(float(f"{value:.{digits}g}"))
 
 
 def with_moved_ids(where: Said, moved: Callable[[list], list]) -> Said:
-    """A selector whose vertex ids are those that `moved(ids)` gives."""
+    """Return a selector with its vertex ids replaced by those of `moved(ids)`."""
     if isinstance(where, list):
         return [with_moved_ids(one, moved) for one in where]
     if not isinstance(where, dict):
@@ -170,9 +179,10 @@ def with_moved_ids(where: Said, moved: Callable[[list], list]) -> Said:
 
 
 def placed(where: Said, frame: Any) -> Said:
-    """A selector of a part in global coordinates; ValueError where it has none.
+    """Return the selector of a part in global coordinates.
 
-    `frame`: as of `in_file`; a box has none where the part is turned, a drawn figure never.
+    `frame` is as for `in_file`. Raises ValueError for a box in a rotated part, and for a drawn
+    figure.
     """
     if np.array_equal(frame.rotation, np.eye(3)) and np.array_equal(frame.base, frame.origin):
         return where
@@ -203,7 +213,7 @@ LENGTHS = ("radius", "length", "thickness", "diameter", "borders_longer")
 
 
 def scaled(where: Said, factor: float) -> Said:
-    """A selector of a part that is so many times as large."""
+    """Return the selector of a part enlarged by a factor."""
     if isinstance(where, list):
         return [scaled(one, factor) for one in where]
     if not isinstance(where, dict) or factor == 1.0:
@@ -222,12 +232,12 @@ def scaled(where: Said, factor: float) -> Said:
 
 
 def simplest(where: Said) -> Said:
-    """A list of one is that one."""
+    """Return the only entry of a list, else the selector unchanged."""
     return where[0] if isinstance(where, list) and len(where) == 1 else where
 
 
 def operands(said: Said) -> list:
-    """The selectors that a list joins; one alone is itself."""
+    """Return the selectors that a list or union joins; a single one gives a list of one."""
     if isinstance(said, dict) and set(said) == {"union"}:
         said = said["union"]
     return list(said) if isinstance(said, list) else [said]

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Normals for drawing a mesh: smooth over bends, broken at creases. As `bindings/coin/shading.h`
-does it, which is faster; this is for where that cannot be loaded."""
+"""Normals for drawing a mesh, smooth over bends and broken at creases.
+
+A slower replacement for `bindings/coin/shading.h` where that cannot be loaded.
+"""
 
 from __future__ import annotations
 
@@ -8,18 +10,21 @@ import numpy as np
 
 
 class Shading:
-    """Which normal each corner of each triangle has; corners share one across smooth edges."""
+    """The normal of each corner of each triangle; corners share one across smooth edges."""
 
     def __init__(self, points: np.ndarray, triangles: np.ndarray, crease: float):
-        """``points`` (n, 3) at rest; ``triangles`` (m, 3); it breaks beyond ``crease`` radians."""
+        """Group the corners of a mesh at rest.
+
+        `points` are (n, 3), `triangles` (m, 3). Edges above `crease` radians are sharp.
+        """
         self._triangles = np.asarray(triangles, np.int64)
         joined = _joined_corners(np.asarray(points, float), self._triangles, crease)
         _, of_corner = np.unique(joined, return_inverse=True)
         self.of_corner = of_corner.reshape(-1, 3)
-        """(m, 3): the row of `normals` that a corner is drawn with."""
+        """The row of `normals` of each corner, (m, 3)."""
 
     def normals(self, points: np.ndarray) -> np.ndarray:
-        """Unit normals (k, 3) at other positions (n, 3) of the mesh; zero without an area."""
+        """Return unit normals (k, 3) at positions (n, 3); zero without an area."""
         areas = np.repeat(_areas(points, self._triangles), 3, axis=0)
         rows, count = self.of_corner.ravel(), int(self.of_corner.max(initial=-1)) + 1
         sums = [np.bincount(rows, weights=areas[:, k], minlength=count) for k in range(3)]
@@ -27,19 +32,19 @@ class Shading:
 
 
 def _areas(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """Twice the areas of triangles as vectors, (m, 3)."""
+    """Return twice the areas of triangles as vectors, (m, 3)."""
     a, b, c = (points[triangles[:, k]] for k in range(3))
     return np.cross(b - a, c - a)
 
 
 def _unit(vectors: np.ndarray) -> np.ndarray:
-    """Vectors (k, 3) at length 1; what is zero stays zero."""
+    """Return vectors (k, 3) scaled to length 1; zero stays zero."""
     length = np.linalg.norm(vectors, axis=1, keepdims=True)
     return np.divide(vectors, length, out=np.zeros_like(vectors), where=length > 0.0)
 
 
 def _joined_corners(points: np.ndarray, triangles: np.ndarray, crease: float) -> np.ndarray:
-    """For every corner (3 m,) the least one that it shares its normal with."""
+    """Return for every corner (3 m,) the least corner with the same normal."""
     one, other = _smooth_pairs(points, triangles, crease)
     least = np.arange(triangles.size)
     while True:
@@ -52,7 +57,7 @@ def _joined_corners(points: np.ndarray, triangles: np.ndarray, crease: float) ->
 
 
 def _smooth_pairs(points: np.ndarray, triangles: np.ndarray, crease: float) -> tuple:
-    """Pairs of corners at one vertex, on both sides of an edge that is no crease."""
+    """Return pairs of corners at one vertex on both sides of a smooth edge."""
     corners = np.arange(triangles.size).reshape(-1, 3)
     starts, ends = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
     at_start, at_end = corners.ravel(), np.roll(corners, -1, axis=1).ravel()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Drawn figures with fewer places that take the same vertices."""
+"""Drawn figures with fewer places that select the same vertices."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from freecad.sheetmorph.tools.figures import BRUSH, LASSO, Camera, number
 from freecad.sheetmorph.tools.sentences import tool_of
 
 BESIDE = 0.01
-"""px: so near to an edge a vertex may be on either side of it."""
+"""The distance (px) from an edge within which a vertex may count as either side."""
 
 
 def shortened(where: Any, points: np.ndarray, away: float) -> Any:
-    """A selector whose figures have fewer places, none farther than that from the line drawn, px.
+    """Return a selector whose figures have fewer places, at most `away` px from the drawn line.
 
-    `points`: the vertices (n, 3) of the part; a lasso passes each of them on the same side.
+    `points` (n, 3) are the vertices of the part. A lasso keeps each of them on the same side.
     """
     if isinstance(where, list):
         return [shortened(one, points, away) for one in where]
@@ -39,7 +39,7 @@ def shortened(where: Any, points: np.ndarray, away: float) -> Any:
 
 
 def seen(rows: list, points: np.ndarray) -> np.ndarray:
-    """Where points (n, 3) are on the screen, (n, 2) px; those behind the eye are left out."""
+    """Return the screen positions (k, 2) px of the points (n, 3) in front of the eye."""
     camera = Camera.of_pixels(np.array(rows, float).reshape(-1, 4)).to_pixels
     found = points @ camera[:, :3].T + camera[:, 3]
     found = found[found[:, 3] > 0.0]
@@ -47,8 +47,10 @@ def seen(rows: list, points: np.ndarray) -> np.ndarray:
 
 
 def straightened(line: np.ndarray, away: float) -> list[int]:
-    """The points of a line (k, 2), first and last among them, from each of which it goes on as far
-    as none between is farther than that from the straight way."""
+    """Return the numbers of the points to keep of a line (k, 2), both ends included.
+
+    No other point is farther than `away` from the line through the kept ones.
+    """
     kept, end = [0], 1
     while end < len(line):
         if farthest(line, kept[-1], end) > away:
@@ -59,7 +61,7 @@ def straightened(line: np.ndarray, away: float) -> list[int]:
 
 
 def farthest(line: np.ndarray, first: int, last: int) -> float:
-    """How far the points between two of a line (k, 2) are from the straight way, at most."""
+    """Return the largest distance from the points between two of a line (k, 2) to their chord."""
     start, along = line[first], line[last] - line[first]
     between = line[first : last + 1] - start
     share = np.clip(between @ along / max(float(along @ along), 1e-300), 0.0, 1.0)
@@ -67,11 +69,14 @@ def farthest(line: np.ndarray, first: int, last: int) -> float:
 
 
 def corners(line: np.ndarray, points: np.ndarray, away: float) -> list[int]:
-    """The places of a closed line (k, 2) without which it would pass a point (n, 2) on its other
-    side, or leave the line drawn; the smallest corners go first."""
+    """Return the numbers of the corners to keep of a closed line (k, 2), px.
+
+    The smallest corners go first. A corner stays if the line would otherwise pass a point (n, 2) on
+    its other side, or deviate by more than `away`.
+    """
     kept = list(range(len(line)))
     if (line[0] == line[-1]).all():
-        kept.pop()  # a closed line comes back by itself
+        kept.pop()  # a closed line repeats its first place
     held: set[int] = set()
     while len(kept) > 3:
         places = line[kept]
@@ -90,14 +95,14 @@ def corners(line: np.ndarray, points: np.ndarray, away: float) -> list[int]:
 
 
 def turn(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> Any:
-    """Twice the area of triangles on the screen, positive where they turn to the left."""
+    """Return twice the signed area of triangles on the screen, positive for a left turn."""
     return (b[..., 0] - a[..., 0]) * (c[..., 1] - a[..., 1]) - (b[..., 1] - a[..., 1]) * (
         c[..., 0] - a[..., 0]
     )
 
 
 def any_inside(triangle: np.ndarray, points: np.ndarray) -> bool:
-    """Whether a point (n, 2) is in a triangle (3, 2) or beside its edge."""
+    """Return whether a point (n, 2) is in a triangle (3, 2) or within BESIDE of its edges."""
     low, high = triangle.min(axis=0) - BESIDE, triangle.max(axis=0) + BESIDE
     near = points[((points >= low) & (points <= high)).all(axis=1)]
     a, b, c = triangle

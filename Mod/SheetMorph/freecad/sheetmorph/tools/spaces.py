@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pieces of space that a selector speaks of, as small meshes to be drawn as wires."""
+"""The volumes and planes of a selector as small meshes for wireframes."""
 
 from __future__ import annotations
 
@@ -14,8 +14,11 @@ Shape = tuple[np.ndarray, np.ndarray]
 
 
 def shapes_of(where: Any, points: np.ndarray) -> list[Shape]:
-    """Vertices (k, 3) and triangles (t, 3) of the boxes, planes, cylinders and spheres in a
-    selector; planes and endless cylinders are as large as the part with points (n, 3)."""
+    """Return vertices (k, 3) and triangles (t, 3) of the spaces in a selector.
+
+    Spaces are boxes, planes, slabs, cylinders and spheres. Planes and endless cylinders are as
+    large as the part with `points` (n, 3).
+    """
     if isinstance(where, list):
         return [shape for one in where for shape in shapes_of(one, points)]
     if not isinstance(where, dict):
@@ -30,7 +33,7 @@ def shapes_of(where: Any, points: np.ndarray) -> list[Shape]:
 
 
 def box(corners: Any, _points: np.ndarray) -> list[Shape]:
-    """A box by two corners."""
+    """Return a box between two corners."""
     low, high = np.sort(np.array(corners, float), axis=0)
     unit = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
     quads = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]]
@@ -38,7 +41,7 @@ def box(corners: Any, _points: np.ndarray) -> list[Shape]:
 
 
 def plane(told: dict, points: np.ndarray, shift: float = 0.0) -> list[Shape]:
-    """A square in a plane, beside the middle of a part."""
+    """Return a square in a plane next to the middle of the part."""
     normal, across, up = axes(told["normal"])
     middle, size = 0.5 * (points.min(axis=0) + points.max(axis=0)), 0.6 * extent(points)
     foot = middle - ((middle - np.array(told["point"], float)) @ normal - shift) * normal
@@ -48,13 +51,13 @@ def plane(told: dict, points: np.ndarray, shift: float = 0.0) -> list[Shape]:
 
 
 def slab(told: dict, points: np.ndarray) -> list[Shape]:
-    """The two sides of a slab."""
+    """Return the two faces of a slab."""
     half = 0.5 * float(told["thickness"])
     return [shape for shift in (-half, half) for shape in plane(told, points, shift)]
 
 
 def cylinder(told: dict, points: np.ndarray) -> list[Shape]:
-    """A cylinder around an axis."""
+    """Return a cylinder around an axis."""
     axis, across, up = axes(told["direction"])
     start = np.array(told["point"], float)
     along = (points - start) @ axis
@@ -68,7 +71,7 @@ def cylinder(told: dict, points: np.ndarray) -> list[Shape]:
 
 
 def sphere(told: dict, _points: np.ndarray) -> list[Shape]:
-    """A sphere, of rings."""
+    """Return a sphere made of rings."""
     centre, radius = np.array(told["center"], float), float(told["radius"])
     heights = np.linspace(-0.5, 0.5, SIDES // 2 + 1) * np.pi
     x, y, z = np.eye(3)
@@ -92,7 +95,7 @@ _DRAWN = {
 
 
 def axes(direction: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """A direction and two more, each of length 1, at right angles."""
+    """Return a direction and two more at right angles, each of length 1."""
     first = np.array(direction, float)
     first = first / np.linalg.norm(first)
     second = np.cross(first, np.eye(3)[np.abs(first).argmin()])
@@ -101,12 +104,12 @@ def axes(direction: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def circle(across: np.ndarray, up: np.ndarray, radius: float) -> np.ndarray:
-    """(SIDES, 3) places around the origin."""
+    """Return SIDES points (SIDES, 3) of a circle around the origin."""
     angles = 2.0 * np.pi * np.arange(SIDES) / SIDES
     return radius * (np.outer(np.cos(angles), across) + np.outer(np.sin(angles), up))
 
 
 def halves(quads: Any) -> np.ndarray:
-    """Triangles (2 k, 3) of quads (k, 4)."""
+    """Return the triangles (2 k, 3) of quads (k, 4)."""
     corners = np.asarray(quads)
     return np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])

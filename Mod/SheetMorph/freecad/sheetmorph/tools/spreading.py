@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Marks on a screen that do not hide each other; needs no FreeCAD."""
+"""Positions for marks on the screen that do not hide each other; needs no FreeCAD."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ import math
 
 import numpy as np
 
-WAYS = 16  # directions in which a free place is looked for
-STEP = 0.5  # of the least distance: how much farther the next round looks
+WAYS = 16  # directions in which to look for a free place
+STEP = 0.5  # of the least distance, by which each round looks farther
 
 
 def spread(places: np.ndarray, least: float, taken: tuple = ()) -> np.ndarray:
     """Return places (n, 2) px near `places`, at least `least` px apart.
 
-    ``taken``: pairs of a place (2,) and the distance, px, that all keep from it. The first places
-    stay where they are if they can.
+    `taken` has pairs of a place (2,) and a distance (px) that all marks keep from it. The first
+    places keep their position where possible.
     """
     kept: list[tuple[np.ndarray, float]] = [(np.asarray(at, float), far) for at, far in taken]
     found = []
@@ -27,7 +27,7 @@ def spread(places: np.ndarray, least: float, taken: tuple = ()) -> np.ndarray:
 
 
 def _spots(place: np.ndarray, least: float):
-    """A place and, farther and farther, those around it; the first way is up."""
+    """Yield a place, then places around it at growing distance, the upper one first."""
     yield place
     radius = 0.0
     while True:

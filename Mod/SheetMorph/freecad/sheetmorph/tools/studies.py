@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a study changes and asks for: parameters as text, criteria as a person writes them."""
+"""Parameters and criteria of a study as text."""
 
 from __future__ import annotations
 
@@ -9,17 +9,18 @@ from dataclasses import asdict, dataclass, replace
 
 LENGTH, ANGLE, NUMBER = "mm", "deg", ""
 METHODS = ["latin hypercube", "sobol", "halton", "full grid"]
-"""How a study is sampled, as a study file says it."""
+"""The sampling methods, as named in a study file."""
 MEASURED = ("stretch", "angle")
-"""Figures that every study measures."""
+"""The results that every study measures."""
 _LIMIT = re.compile(r"\s*([\w .]*?\w)\s*(<=|>=)\s*([-+.\deE]+)\s*")
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number of a document that a study changes between two others.
+    """A number of a document that a study varies between two others.
 
-    owner: name of the document object; number: its property, or the cell of a spreadsheet.
+    `owner` is the name of the document object. `number` is its property, or the cell of a
+    spreadsheet.
     """
 
     name: str
@@ -30,27 +31,30 @@ class Parameter:
 
 
 def to_text(parameters: list[Parameter]) -> str:
-    """The parameters as JSON; every number is read back to the bit."""
+    """Return the parameters as JSON, from which every number is read back exactly."""
     return json.dumps([asdict(parameter) for parameter in parameters])
 
 
 def from_text(text: str) -> list[Parameter]:
-    """What ``to_text`` wrote."""
+    """Return the parameters from the text of `to_text`."""
     return [Parameter(**entry) for entry in json.loads(text or "[]")]
 
 
 def owners(parameters: list[Parameter]) -> list[str]:
-    """The names of the document objects, each once, in an order that stays."""
+    """Return the sorted names of the document objects, without repetition."""
     return sorted({parameter.owner for parameter in parameters})
 
 
 def renamed(parameters: list[Parameter], names: dict[str, str]) -> list[Parameter]:
-    """The same numbers of objects with other names."""
+    """Return the parameters with the owners renamed."""
     return [replace(one, owner=names.get(one.owner, one.owner)) for one in parameters]
 
 
 def criteria_in(text: str) -> dict[str, dict[str, float]]:
-    """What ``stretch <= 0.2, angle >= 12`` asks for, as a study file has it; raises ValueError."""
+    """Return criteria such as `stretch <= 0.2, angle >= 12` as a study file has them.
+
+    Raises ValueError for text that is not a criterion.
+    """
     found: dict[str, dict[str, float]] = {}
     for piece in filter(str.strip, text.split(",")):
         limit = _LIMIT.fullmatch(piece)
@@ -68,7 +72,7 @@ def criteria_in(text: str) -> dict[str, dict[str, float]]:
 
 
 def unused(name: str, taken) -> str:
-    """A name that is not taken yet."""
+    """Return a name that is not taken yet."""
     found, number = name, 2
     while found in taken:
         found, number = f"{name} {number}", number + 1

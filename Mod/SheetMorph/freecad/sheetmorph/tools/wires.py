@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which edges of a mesh are drawn as wires."""
+"""The edges of a mesh that are drawn as wires."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import numpy as np
 
 
 def of_faces(faces: np.ndarray) -> np.ndarray:
-    """The edges (k, 2), each once, of faces (e, 4) with -1 in the last corner of triangles."""
+    """Return the unique edges (k, 2) of faces (e, 4) with -1 as last corner of triangles."""
     corners = np.asarray(faces, dtype=np.int64).reshape(-1, 4)
     last = np.where(corners[:, 3] >= 0, corners[:, 3], corners[:, 0])
     ring = np.concatenate([corners[:, :3], last[:, None]], axis=1)
@@ -16,7 +16,7 @@ def of_faces(faces: np.ndarray) -> np.ndarray:
 
 
 def of_all(meshes) -> np.ndarray:
-    """The wires (e, 2) of meshes (vertices, triangles), numbered through all of them."""
+    """Return the wires (e, 2) of meshes (vertices, triangles), numbered through all meshes."""
     found, first = [np.zeros((0, 2), np.int64)], 0
     for points, triangles in meshes:
         found.append(of_mesh(points, triangles) + first)
@@ -25,10 +25,10 @@ def of_all(meshes) -> np.ndarray:
 
 
 def of_mesh(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """The edges (e, 2) of a mesh without those that only halve a quad.
+    """Return the edges (e, 2) of a mesh without the diagonals of quads.
 
-    A control mesh is made of quads, each cut into two triangles: the cut is the longest edge of
-    both. (m, 3) points, (t, 3) triangles.
+    A control mesh consists of quads, each cut into two triangles by its longest edge. `points` are
+    (n, 3), `triangles` (t, 3).
     """
     corners = np.asarray(triangles, dtype=np.int64)
     if not len(corners):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""View providers: icons, tree, double click and context menu of our objects."""
+"""View providers: icon, tree, double click and context menu of document objects."""
 
 
 def attach(obj) -> None:
-    """Gives one of our objects its view provider; the objects call it through ``doors``."""
+    """Attach the view provider of a document object; the objects call it through `doors`."""
     from freecad.sheetmorph.views import assembly, contact, deck, part, pose, region, relation
     from freecad.sheetmorph.views import study
 

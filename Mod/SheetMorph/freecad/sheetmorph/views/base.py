@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the view providers share: icon, nothing saved, nothing edited by FreeCAD's own dragger."""
+"""The common base of view providers: an icon, no saved state, no placement dragger."""
 
 from freecad.sheetmorph import actions, paths
 
 
 class View:
-    """A view provider proxy; keeps its view object in memory only."""
+    """A view provider proxy, which stores its view object in memory only."""
 
     icon = ""
 
@@ -13,7 +13,7 @@ class View:
         view_object.Proxy = self
 
     def attach(self, view_object) -> None:
-        """Called when the object gets its view, also after opening a document."""
+        """Attach the view object, also after a document is opened."""
         self._view_object = view_object
 
     @property
@@ -22,42 +22,42 @@ class View:
         return self._view_object.Object
 
     def getIcon(self) -> str:
-        """The icon in the tree."""
+        """Return the icon in the tree."""
         return paths.icon(self.icon)
 
     def setEdit(self, _view_object, _mode: int) -> bool:
-        """No editing by FreeCAD's dragger: it would move the placement."""
+        """Refuse editing with FreeCAD's dragger, which would change the placement."""
         return False
 
     def replaceObject(self, _old, _new) -> bool:
-        """Nothing takes another's place by being dropped on it: a region would become the part."""
+        """Refuse replacement by drag and drop, which could turn a region into a part."""
         return False
 
     def dumps(self) -> None:
-        """Nothing is saved (FreeCAD from 0.21.2)."""
+        """Save nothing (FreeCAD from 0.21.2)."""
 
     def loads(self, _state) -> None:
-        """Nothing is restored (FreeCAD from 0.21.2)."""
+        """Restore nothing (FreeCAD from 0.21.2)."""
 
     def __getstate__(self) -> None:
-        """Nothing is saved (FreeCAD before 0.21.2)."""
+        """Save nothing (FreeCAD before 0.21.2)."""
 
     def __setstate__(self, _state) -> None:
-        """Nothing is restored (FreeCAD before 0.21.2)."""
+        """Restore nothing (FreeCAD before 0.21.2)."""
 
 
 class FollowingView(View):
-    """A view of what goes along with what it depends on, or does without it."""
+    """The view of an object that is deleted with its dependencies or can lack them."""
 
     def canDelete(self, _obj) -> bool:
-        """No warning that it might break, whatever of what it depends on is deleted."""
+        """Return True, so that FreeCAD does not warn of broken dependencies."""
         return True
 
 
 class OwnerView(View):
-    """A view of what other objects of ours depend on: deleted in the tree, it takes them along."""
+    """The view of an object whose dependents are deleted together with it."""
 
     def onDelete(self, _view_object, _sub_elements) -> bool:
-        """One undo step, and a line in a macro, as for all that FreeCAD deletes."""
+        """Remove the dependents in FreeCAD's undo step, with a line in the macro."""
         actions.record(actions.call("remove_dependents", actions.name(self.object)))
         return True

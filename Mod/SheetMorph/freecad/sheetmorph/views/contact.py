@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a contact looks: hidden at first; shown, both sides have a colour each on their parts."""
+"""The appearance of a contact: hidden at first; else each side has a colour on its part."""
 
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import colours
@@ -14,11 +14,11 @@ class ContactView(PatchView):
 
     def __init__(self, view_object):
         super().__init__(view_object)
-        # An assembly has dozens of them, over the regions that the user wants to see.
+        # An assembly has dozens of contacts, which would cover the regions.
         view_object.Visibility = False
 
     def patches(self, obj) -> list:
-        """Both sides."""
+        """Return both sides."""
         sides = (("a", "PartA"), ("b", "PartB"))
         return [
             (getattr(obj, link), model.contact_vertices(obj, side), colours.SIDES[side])
@@ -27,22 +27,22 @@ class ContactView(PatchView):
         ]
 
     def getIcon(self) -> str:
-        """Another icon for a contact that is not used."""
+        """Return the icon, another one for an inactive contact."""
         self.icon = "MarkContact" if getattr(self.object, "Active", True) else "ContactOff"
         return super().getIcon()
 
     def updateData(self, obj, name: str) -> None:
-        """Draws anew, and shows whether it is used."""
+        """Redraw the contact and update its icon."""
         super().updateData(obj, name)
         if name == "Active":
             self._view_object.signalChangeIcon()
 
     def doubleClicked(self, _view_object) -> bool:
-        """Opens it in its panel."""
+        """Open the contact in its panel."""
         menus.edit_contact(self.object)
         return True
 
     def setupContextMenu(self, _view_object, menu) -> bool:
-        """What can be done with a contact."""
+        """Add the entries of a contact."""
         menus.add_contact_actions(menu, self.object)
         return False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a deck and the shells of its properties look in the tree, and these in the view."""
+"""The appearance of a deck and of the shells of its properties."""
 
 import numpy as np
 
@@ -10,13 +10,13 @@ from freecad.sheetmorph.views.patches import PatchView
 
 
 class DeckView(OwnerView):
-    """A file; there is nothing to be seen of it but its parts."""
+    """A file, visible only through its parts."""
 
     icon = "Deck"
 
 
 class ShellsView(PatchView):
-    """The shells of a property: seen in a colour of their own where they are switched on."""
+    """The shells of a property, coloured where they are switched on."""
 
     icon = "Shells"
     drawn_properties = ("Part", "Number")
@@ -26,7 +26,7 @@ class ShellsView(PatchView):
         view_object.Visibility = False
 
     def patches(self, obj) -> list:
-        """The vertices of its elements."""
+        """Return the vertices of its elements."""
         labels = None if obj.Part is None else read_kept(obj.Part).labels
         rows = labels.groups.get(f"PID {obj.Number}") if labels is not None else None
         if rows is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What double clicks and context menus of the tree do."""
+"""The actions of double clicks and context menus in the tree."""
 
 import FreeCADGui as Gui
 
@@ -7,7 +7,7 @@ from freecad.sheetmorph import actions, paths
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.guide import Guide
-from freecad.sheetmorph.qt import icon_of, translate
+from freecad.sheetmorph.qt import connect, icon_of, translate
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 USED = QT_TRANSLATE_NOOP("SheetMorph_menus", "Do Not Use Contact")
@@ -22,42 +22,42 @@ MARKS = {
 
 
 def move(handle) -> None:
-    """Opens the Move Handle panel unless another panel is open."""
+    """Open the Move Handle panel unless another panel is open."""
     from freecad.sheetmorph.panels import move_panel
 
     _opened("Move Handle", lambda: move_panel.open_panel(handle))
 
 
 def edit(region) -> None:
-    """Opens the picking panel for a region that exists."""
+    """Open the picking panel of an existing region."""
     from freecad.sheetmorph.panels import region_panel
 
     _opened("Region", lambda: region_panel.edit(region))
 
 
 def edit_feature(feature) -> None:
-    """Opens the panel of a form feature."""
+    """Open the panel of a form feature."""
     from freecad.sheetmorph.panels import feature_panel
 
     _opened("Form Feature", lambda: feature_panel.open_panel(feature))
 
 
 def edit_contact(contact) -> None:
-    """Opens the panel of a contact that exists."""
+    """Open the panel of an existing contact."""
     from freecad.sheetmorph.panels import contact_panel
 
     _opened("Contact", lambda: contact_panel.edit(contact))
 
 
 def show_propagation(assembly) -> None:
-    """Opens the Propagation panel."""
+    """Open the Propagation panel."""
     from freecad.sheetmorph.panels import propagation_panel
 
     _opened("Propagation", lambda: propagation_panel.open_panel(assembly))
 
 
 def _opened(title: str, action) -> None:
-    """Opens a panel if there is room for it; what stands against it is told."""
+    """Open a panel if no other one is open, and report an error."""
 
     def opened() -> None:
         try:
@@ -69,7 +69,7 @@ def _opened(title: str, action) -> None:
 
 
 def add_assembly_actions(menu, assembly) -> None:
-    """Propagation, and what is wrong if anything is."""
+    """Add Propagation, and an entry that shows a fault."""
     if model.failure_of(assembly):
         title = QT_TRANSLATE_NOOP("SheetMorph_menus", "Show What Is Wrong")
         _add(menu, "MorphFault", title, lambda: Gui.runCommand("SheetMorph_Guide"))
@@ -82,7 +82,7 @@ def add_assembly_actions(menu, assembly) -> None:
 
 
 def add_contact_actions(menu, contact) -> None:
-    """Editing, and using it or not."""
+    """Add entries to edit a contact and to switch it on or off."""
     line = call("set_active", name(contact), repr(not contact.Active))
     title = USED if contact.Active else UNUSED
     icon = "ContactOff" if contact.Active else "MarkContact"
@@ -96,14 +96,14 @@ def add_contact_actions(menu, contact) -> None:
 
 
 def mark(part, role: str) -> None:
-    """Opens the picking panel for a new region of a part."""
+    """Open the picking panel for a new region of a part."""
     from freecad.sheetmorph.panels import region_panel
 
     _opened("Region", lambda: region_panel.create(part, role))
 
 
 def add_part_actions(menu, assembly, part) -> None:
-    """New regions, and Set as Primary."""
+    """Add entries for new regions, and Set as Primary."""
     for role, (icon, title) in MARKS.items():
         _add(menu, icon, title, lambda r=role: mark(part, r))
     menu.addSeparator()
@@ -121,13 +121,13 @@ def add_part_actions(menu, assembly, part) -> None:
 
 
 def apply_pose(pose) -> None:
-    """Takes the morph to a pose unless a panel is open."""
+    """Apply a pose unless a panel is open."""
     line = call("apply_pose", name(pose))
     _opened("Apply Pose", lambda: actions.run("Apply Pose", line, document=pose.Document))
 
 
 def blend_poses(pose) -> None:
-    """Opens the panel that goes to a pose with a slider."""
+    """Open the panel that blends to a pose with a slider."""
     from freecad.sheetmorph.panels import pose_panel
 
     owner = model.assembly_of(pose)
@@ -135,7 +135,7 @@ def blend_poses(pose) -> None:
 
 
 def edit_study(study) -> None:
-    """Opens the panel of a study."""
+    """Open the panel of a study."""
     from freecad.sheetmorph.panels import study_panel
 
     owner = model.assembly_of(study)
@@ -143,12 +143,12 @@ def edit_study(study) -> None:
 
 
 def add_study_actions(menu, study) -> None:
-    """Its panel."""
+    """Add the entry for the panel of a study."""
     _add(menu, "Study", QT_TRANSLATE_NOOP("SheetMorph_menus", "Study…"), lambda: edit_study(study))
 
 
 def add_pose_actions(menu, pose) -> None:
-    """Going there, a copy there, blending."""
+    """Add entries to apply, blend and copy a pose."""
     line = call("copy_as_meshes", name(model.assembly_of(pose)), name(pose))
     _add(menu, "Pose", "Apply Pose", lambda: apply_pose(pose))
     _add(menu, "BlendPoses", "Blend Poses…", lambda: blend_poses(pose))
@@ -156,7 +156,7 @@ def add_pose_actions(menu, pose) -> None:
 
 
 def add_region_actions(menu, region) -> None:
-    """Move and reset for handles, picking anew for all."""
+    """Add move and reset for handles, settings for form features, and editing for all."""
     if region.Role == "handle":
         line = call("reset_motion", name(region))
         _add(
@@ -188,5 +188,5 @@ def add_region_actions(menu, region) -> None:
 
 def _add(menu, icon: str, text: str, action):
     entry = menu.addAction(icon_of(paths.icon(icon)), translate("SheetMorph_menus", text))
-    entry.triggered.connect(lambda *_: action())
+    connect(entry, "triggered()", lambda *_: action())
     return entry

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a morphed part looks: its source beneath it in the tree, sheet-metal colour, smooth bends."""
+"""The appearance of a part: sheet-metal colour, smooth bends, its source below it in the tree."""
 
 from freecad.sheetmorph import generations
 from freecad.sheetmorph.bridge.rest import read_kept
@@ -24,17 +24,17 @@ class PartView(OwnerView):
         view_object.Lighting = "Two side"
 
     def attach(self, view_object) -> None:
-        """The edges of elements follow when all objects are there."""
+        """Attach the view; element edges follow when all objects exist."""
         super().attach(view_object)
         self._lines = None
 
     def updateData(self, _obj, name: str) -> None:
-        """Another mesh at rest has other elements, or none."""
+        """Redraw the element edges for another mesh at rest."""
         if name == "RestData":
             QtCore.QTimer.singleShot(0, self._draw)
 
     def onChanged(self, view_object, name: str) -> None:
-        """What is hidden shows no elements."""
+        """Hide or show the element edges with the part."""
         if name == "Visibility" and getattr(self, "_lines", None) is not None:
             self._lines.show(view_object.Visibility)
 
@@ -52,20 +52,20 @@ class PartView(OwnerView):
         self._lines = None if faces is None else ElementLines(self._view_object, faces)
 
     def getIcon(self) -> str:
-        """The primary has an icon of its own."""
+        """Return the icon, another one for the primary."""
         owner = model.assembly_of(self.object)
         is_primary = owner is not None and getattr(owner, "Primary", None) == self.object
         self.icon = "PartPrimary" if is_primary else "Part"
         return super().getIcon()
 
     def claimChildren(self) -> list:
-        """The source mesh lies beneath the part, what it was prepared from, its properties."""
+        """Return the source mesh, the mesh it was prepared from, and the property shells."""
         meshes = (getattr(self.object, name, None) for name in ("Source", "Original"))
         shells = getattr(self.object, "Shells", None) or []
         return [*(mesh for mesh in meshes if mesh is not None), *shells]
 
     def setupContextMenu(self, _view_object, menu) -> bool:
-        """Primary and regions of this part."""
+        """Add the entries of a part."""
         owner = model.assembly_of(self.object)
         if owner is not None:
             menus.add_part_actions(menu, owner, self.object)

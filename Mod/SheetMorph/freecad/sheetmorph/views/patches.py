@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the views of regions and contacts share: coloured vertices over parts as they are shown."""
+"""The common base of region and contact views: coloured vertices on displayed parts."""
 
 from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.qt import QtCore
@@ -9,16 +9,16 @@ from freecad.sheetmorph.views.base import FollowingView, OwnerView
 
 
 class PatchView(FollowingView, OwnerView):
-    """Draws what ``patches`` returns; subclasses also name the properties that decide it."""
+    """A view that draws the result of `patches`; subclasses name the properties behind it."""
 
     drawn_properties: tuple[str, ...] = ()
 
     def patches(self, obj) -> list:
-        """What to draw: (part, vertices, colour) each."""
+        """Return the (part, vertices, colour) to draw."""
         return []
 
     def attach(self, view_object) -> None:
-        """Prepares an empty drawing; what is in it follows when all objects are there."""
+        """Attach an empty drawing; its content follows when all objects exist."""
         super().attach(view_object)
         self._root = group()
         self._drawn = []
@@ -27,25 +27,25 @@ class PatchView(FollowingView, OwnerView):
         view_object.addDisplayMode(self._root, "Region")
 
     def getDisplayModes(self, _view_object) -> list[str]:
-        """There is one."""
+        """Return the only mode."""
         return ["Region"]
 
     def getDefaultDisplayMode(self) -> str:
-        """The only one."""
+        """Return the only mode."""
         return "Region"
 
     def setDisplayMode(self, mode: str) -> str:
-        """FreeCAD asks back which one it is."""
+        """Return the mode unchanged."""
         return mode
 
     def updateData(self, _obj, name: str) -> None:
-        """Draws anew when it must; later, because part and mesh may not be there yet."""
+        """Redraw later if a relevant property changed, since part and mesh may not exist yet."""
         if name in self.drawn_properties and not self._is_due:
             self._is_due = True
             QtCore.QTimer.singleShot(0, self.draw)
 
     def draw(self) -> None:
-        """Draws; an object that was deleted meanwhile is left alone."""
+        """Draw the patches unless the object was deleted meanwhile."""
         self._is_due = False
         try:
             obj = self.object
@@ -64,18 +64,18 @@ class PatchView(FollowingView, OwnerView):
 
     @property
     def is_drawn(self) -> bool:
-        """Whether what is to be seen is in the scene."""
+        """Whether the scene has the present patches."""
         return bool(self._drawn) and not self._is_due
 
     def fill(self, is_on: bool) -> None:
-        """Facets in their colour, or only their outline, so that other colours are seen."""
+        """Show coloured facets, or only their outline so that other colours are visible."""
         self._is_filled = is_on
         for patch in self._drawn:
             patch.fill(is_on)
 
 
 def drawn_patch(part, vertices, colour) -> Patch:
-    """The coloured vertices of a part; they follow it."""
+    """Return the coloured vertices of a part, which follow it."""
     view = part.ViewObject
     patch = Patch(nodes.coordinates(view), colour, transform=nodes.transform(view))
     patch.show(snapshot_of(part.Source).touching(vertices), vertices)

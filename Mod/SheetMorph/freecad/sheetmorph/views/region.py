@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a region looks: its vertices in the colour of its role, over the part as it is shown."""
+"""The appearance of a region: its vertices in the colour of its role on the displayed part."""
 
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import colours
@@ -16,19 +16,19 @@ class RegionView(PatchView):
     drawn_properties = ("Part", "Vertices", "Role")
 
     def patches(self, obj) -> list:
-        """Its vertices."""
+        """Return its vertices."""
         part = getattr(obj, "Part", None)
         if part is None:
             return []
         return [(part, model.vertices(obj), colours.ROLES[obj.Role])]
 
     def getIcon(self) -> str:
-        """The icon of the role."""
+        """Return the icon of the role."""
         self.icon = ICONS.get(getattr(self.object, "Role", ""), "Morph")
         return super().getIcon()
 
     def doubleClicked(self, _view_object) -> bool:
-        """A handle is moved, any other region picked anew."""
+        """Move a handle, or edit any other region."""
         if self.object.Role == "handle":
             menus.move(self.object)
         else:
@@ -36,6 +36,6 @@ class RegionView(PatchView):
         return True
 
     def setupContextMenu(self, _view_object, menu) -> bool:
-        """What can be done with a region."""
+        """Add the entries of a region."""
         menus.add_region_actions(menu, self.object)
         return False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a relation of form features looks: an icon in the tree."""
+"""The appearance of a relation of form features in the tree."""
 
 from freecad.sheetmorph.views.base import View
 
@@ -12,11 +12,11 @@ class RelationView(View):
     icon = "GroupFeatures"
 
     def getIcon(self) -> str:
-        """The icon of the type."""
+        """Return the icon of the type."""
         self.icon = ICONS.get(getattr(self.object, "Type", ""), "GroupFeatures")
         return super().getIcon()
 
     def updateData(self, _obj, name: str) -> None:
-        """Follow a change of type."""
+        """Update the icon after a change of type."""
         if name == "Type":
             self._view_object.signalChangeIcon()

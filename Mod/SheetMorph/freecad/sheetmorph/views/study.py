@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a study looks in the tree; a double click opens its panel."""
+"""The appearance of a study in the tree; a double click opens its panel."""
 
 from freecad.sheetmorph.views import menus
 from freecad.sheetmorph.views.base import View
@@ -11,11 +11,11 @@ class StudyView(View):
     icon = "Study"
 
     def doubleClicked(self, _view_object) -> bool:
-        """Opens the panel."""
+        """Open the panel."""
         menus.edit_study(self.object)
         return True
 
     def setupContextMenu(self, _view_object, menu) -> bool:
-        """What can be done with a study."""
+        """Add the entries of a study."""
         menus.add_study_actions(menu, self.object)
         return False

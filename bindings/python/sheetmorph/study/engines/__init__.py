@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the variants of a study are computed: others' engines, none of our own."""
+"""Execution of the variants of a study with existing engines."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Variants on a Dask cluster: one at an address, or one on this machine for this study."""
+"""Variants on a Dask cluster, at a given address or started on this machine."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from typing import Any
 from ...errors import Fault, RecipeError
 from .driving import Driver, Hopes, Pool
 
-# Seconds in which a scheduler that is started again has to answer.
+# Seconds in which a restarted scheduler must answer.
 _PATIENCE = 120.0
 _AHEAD = 2
 
 
 def dask_driver(scheduler: str | None, workers: int, hopes: Hopes) -> Driver:
-    """A driver of the cluster at an address; without one, of so many workers on this machine.
+    """Return a driver of the cluster at an address, or of new workers on this machine.
 
-    Raises RecipeError where Dask distributed is not installed or nobody answers.
+    Raises RecipeError if Dask distributed is not installed or no scheduler answers.
     """
     distributed = _distributed()
     broken = (
@@ -59,7 +59,7 @@ def _client(distributed: Any, scheduler: str | None, workers: int) -> Iterator[A
 
 
 def _answering(distributed: Any, scheduler: str) -> Any:
-    """A client of the scheduler as soon as one answers and has workers."""
+    """Return a client of the scheduler as soon as it answers and has workers."""
     end = time.monotonic() + _PATIENCE
     while True:
         try:
@@ -80,7 +80,7 @@ def _answering(distributed: Any, scheduler: str) -> Any:
 
 
 def _known_to(client: Any) -> int:
-    """How many tasks the workers have; none after the scheduler was started anew."""
+    """Return the number of tasks of the workers; it is 0 after a restart of the scheduler."""
     return sum(map(len, client.processing().values()))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Variants handed to an executor of any kind; a worker that dies costs its variants a new try."""
+"""Execution of variants by any executor; variants of a dead worker are tried again."""
 
 from __future__ import annotations
 
@@ -13,15 +13,17 @@ from ...errors import Fault, RecipeError
 from ..working import Cost, Task, attempt
 
 _TRIES, _SUSPECT = 4, 2
-# Seconds after which it is looked whether an executor still knows what it was given, and how often
-# it may say no.
+# Seconds between checks whether an executor still has its tasks, and failed checks to accept.
 _LOOK, _PATIENCE = 2.0, 3
 
 
 @dataclass(frozen=True)
 class Hopes:
-    """What the one who drives is told. finished: a variant is in its place; lost: its worker died
-    too often; is_done: whether its folder is there."""
+    """Callbacks of the caller.
+
+    finished: a variant is in its folder. lost: its worker died too often. is_done: returns whether
+    its folder exists.
+    """
 
     finished: Callable[[Task, Cost], None]
     lost: Callable[[Task, str], None]
@@ -30,8 +32,11 @@ class Hopes:
 
 @dataclass(frozen=True)
 class Pool:
-    """An executor for one while. executor; room: how many variants it is given ahead; knows: how
-    many of them it still knows of, where it may forget some."""
+    """An executor.
+
+    room is the number of variants submitted ahead. knows returns how many of them it still has, if
+    it can lose some.
+    """
 
     executor: Executor
     room: int
@@ -42,11 +47,11 @@ _Outcome = tuple[Cost, Fault | None]
 
 
 class Forgotten(RuntimeError):
-    """An executor that knows no more of what it was given."""
+    """An executor has lost its tasks."""
 
 
 class Driver:
-    """Gives tasks to pools that may break; every task ends once, whatever breaks."""
+    """The submission of tasks to pools that may break; every task ends exactly once."""
 
     def __init__(
         self,
@@ -59,7 +64,7 @@ class Driver:
         self._tries: Counter[int] = Counter()
 
     def drive(self, tasks: Iterable[Task]) -> None:
-        """Returns when every task is finished or lost. Raises RecipeError for what stops all."""
+        """Run until every task is finished or lost. Raises RecipeError for errors that stop all."""
         waiting, vain = deque(tasks), 0
         while waiting:
             given: dict[Future[_Outcome], Task] = {}
@@ -91,7 +96,7 @@ class Driver:
                 raise Forgotten("it was started anew")
 
     def _may_give(self, task: Task, pool: Pool, given: dict[Future[_Outcome], Task]) -> bool:
-        """What was lost again and again is tried alone: then it is known who is to blame."""
+        """Return whether to submit a task; repeatedly lost ones run alone to find the culprit."""
         if self._tries[task.run] >= _SUSPECT:
             return not given
         return len(given) < pool.room and not any(
@@ -99,7 +104,7 @@ class Driver:
         )
 
     def _again(self, lost: Iterable[Task], waiting: deque[Task], error: BaseException) -> None:
-        """What a pool was given when it broke: most of it was not to blame."""
+        """Queue the tasks of a broken pool again; most of them did not cause the failure."""
         for task in list(lost):
             self._tries[task.run] += 1
             if self._hopes.is_done(task):

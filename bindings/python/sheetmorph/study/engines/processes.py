@@ -19,11 +19,12 @@ THREADS = "SHEETMORPH_THREADS"
 
 
 def processes_driver(workers: int, hopes: Hopes) -> Driver:
-    """A driver of this many worker processes."""
+    """Return a driver of this number of worker processes."""
 
     @contextmanager
     def opened() -> Iterator[Pool]:
-        # Forked: they have what was pre-processed. The kernel starts threads of its own in each.
+        # Forked processes inherit the pre-processing phase. The kernel starts its own threads in
+        # each.
         context = multiprocessing.get_context("fork")
         executor = ProcessPoolExecutor(workers, mp_context=context, initializer=_begin)
         with _share_of_cores(workers):
@@ -37,7 +38,7 @@ def processes_driver(workers: int, hopes: Hopes) -> Driver:
 
 @contextmanager
 def _share_of_cores(workers: int) -> Iterator[None]:
-    """In this context processes that are forked have so many threads that all cores are used."""
+    """Limit the threads of forked processes so that together they use all cores."""
     if THREADS in os.environ:
         yield
         return
@@ -49,8 +50,10 @@ def _share_of_cores(workers: int) -> Iterator[None]:
 
 
 def _begin() -> None:
-    """In a new worker: an end when the one who started it ends, or a pool that has broken asks for
-    it. A command's own way to end would be no more than an error of the variant at work."""
+    """Make a new worker end with its parent, or when a broken pool terminates it.
+
+    The handler of the command would only raise an error in the current variant.
+    """
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     threading.Thread(target=_end_with_parent, daemon=True).start()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a batch system needs to compute a study: blocks of runs, and how to call them."""
+"""Blocks of runs and the commands that compute them, for batch systems."""
 
 from __future__ import annotations
 
@@ -15,32 +15,32 @@ _PACKAGE = Path(__file__).resolve().parents[2]
 
 @dataclass(frozen=True)
 class Call:
-    """A study to be computed by other processes, which see the same files."""
+    """A study for other processes that see the same files."""
 
     study: Path
     out: Path
     runs: int
 
     def blocks(self, most: int) -> list[tuple[int, int]]:
-        """The first and last run of at most so many blocks of even size."""
+        """Return the first and last run of blocks of equal size, at most `most`."""
         count = max(1, min(most, self.runs))
         edges = [k * self.runs // count for k in range(count + 1)]
         return [(first, after - 1) for first, after in zip(edges, edges[1:])]
 
     def command(self, *options: str) -> str:
-        """The shell's line that computes the study, or some of its runs."""
+        """Return the shell command that computes the study, or some of its runs."""
         words = [sys.executable, "-m", "sheetmorph", "study", str(self.study.resolve())]
         words += ["-o", str(self.out.resolve()), "--quiet"]
         return " ".join([f"PYTHONPATH={shlex.quote(path())}", *map(shlex.quote, words), *options])
 
 
 def path() -> str:
-    """Where Python finds this package."""
+    """Return the folder for PYTHONPATH."""
     return str(_PACKAGE.parent)
 
 
 def write_script(place: Path, text: str) -> None:
-    """Write a script, whole or not at all."""
+    """Write a script, complete or not at all."""
     with FileSet(is_own=True) as files:
         files.temporary_for(place).write_text(text, "utf-8")
         files.commit()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A study as an array job of Slurm, and a job behind it that tries again what was lost."""
+"""A study as an array job of Slurm, and a following job that repeats lost runs."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ ARRAY, END = "study.sbatch", "summary.sbatch"
 
 
 def submit(call: Call, jobs: int) -> list[str]:
-    """Write the scripts and hand them to sbatch; what to tell. Raises RecipeError."""
+    """Write the scripts, submit them and return the lines to print. Raises RecipeError."""
     blocks = call.blocks(jobs)
     folder = call.out.resolve()
     write_script(call.out / ARRAY, _array(call, blocks))
@@ -49,7 +49,7 @@ def _head(name: str, folder: object, more: str = "") -> str:
 
 
 def _sbatch(*words: str) -> str:
-    """The number of the job."""
+    """Submit a job and return its number."""
     done = subprocess.run(
         ["sbatch", "--parsable", *words], capture_output=True, text=True, check=False
     )

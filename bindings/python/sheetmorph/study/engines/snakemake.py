@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A study as a Snakefile: for all the clusters that Snakemake knows."""
+"""A study as a Snakefile, for all clusters that Snakemake supports."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ rule summary:
 
 
 def write_snakefile(call: Call, jobs: int) -> list[str]:
-    """Write the Snakefile; what to tell."""
+    """Write the Snakefile and return the lines to print."""
     place = call.out.resolve() / FILE
     blocks = [f"{first}-{last}" for first, last in call.blocks(jobs)]
     text = _TEXT.format(
@@ -52,5 +52,5 @@ def write_snakefile(call: Call, jobs: int) -> list[str]:
 
 
 def _escaped(command: str) -> str:
-    """Braces are Snakemake's."""
+    """Double the braces, which Snakemake interprets."""
     return command.replace("{", "{{").replace("}", "}}")

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+namespace sheetmorph
+{
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double degree = pi / 180.0;  //!< radians
+
+}  // namespace sheetmorph
