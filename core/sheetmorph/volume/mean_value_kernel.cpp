@@ -3,7 +3,6 @@
 
 #include "sheetmorph/base/instructions/instructions.h"
 
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sheetmorph/volume/mean_value_kernel.cpp"
 #include <hwy/foreach_target.h>
 

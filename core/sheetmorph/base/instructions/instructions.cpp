@@ -28,7 +28,13 @@ namespace
 void limit_instructions()
 {
 #if (HWY_TARGETS & (HWY_TARGETS - 1)) != 0  // there is a choice
-    [[maybe_unused]] static const bool is_limited = (hwy::DisableTargets(excluded()), true);
+    [[maybe_unused]] static const bool is_limited = []
+    {
+        // Other users of the library in this process keep their limits.
+        if (excluded() != 0)
+            hwy::DisableTargets(excluded());
+        return true;
+    }();
 #endif
 }
 

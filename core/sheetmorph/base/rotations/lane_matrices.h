@@ -19,6 +19,9 @@ namespace HWY_NAMESPACE
 //! `width` matrices side by side.
 struct LaneMatrices : LaneFunctions
 {
+    // An implicit one would not be compiled for the instruction set.
+    HWY_INLINE LaneMatrices() {}
+
     //! Lanes beyond `count` are those of the first matrix.
     static HWY_INLINE LaneMatrices loaded(const Matrix3* matrices, int count)
     {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sheetmorph/base/rotations/rotation_batch.cpp"
 #include <hwy/foreach_target.h>
 
@@ -67,7 +66,7 @@ struct Kernel : LaneAngles
 
     // R - 1 = 2 s^2 (v v^T - |v|^2) + 2 s c [v], s = sin|v| / |v|, c = cos|v|: half turns off |v|
     // change the signs of both.
-    static HWY_INLINE LaneMatrices turns(const Lanes3& v)
+    static HWY_INLINE void turn(const Lanes3& v, double (&changes)[9][width])
     {
         const Lanes xx = v.x * v.x, yy = v.y * v.y, zz = v.z * v.z;
         const Lanes square = xx + yy + zz, inverse = inverse_root(square);
@@ -78,10 +77,12 @@ struct Kernel : LaneAngles
         const Lanes sine = hn::IfThenElse(turns == filled(0.0), ratio, rest * ratio * inverse);
         const Lanes twice = sine + sine, f = twice * sine, e = twice * cosine(rest * rest);
         const Lanes xy = f * v.x * v.y, xz = f * v.x * v.z, yz = f * v.y * v.z;
-        return {{},
-                {hn::Neg(f * (yy + zz)), hn::MulAdd(e, v.z, xy), hn::NegMulAdd(e, v.y, xz),
-                 hn::NegMulAdd(e, v.z, xy), hn::Neg(f * (xx + zz)), hn::MulAdd(e, v.x, yz),
-                 hn::MulAdd(e, v.y, xz), hn::NegMulAdd(e, v.x, yz), hn::Neg(f * (xx + yy))}};
+        const Lanes change[9] = {
+            hn::Neg(f * (yy + zz)),    hn::MulAdd(e, v.z, xy),    hn::NegMulAdd(e, v.y, xz),
+            hn::NegMulAdd(e, v.z, xy), hn::Neg(f * (xx + zz)),    hn::MulAdd(e, v.x, yz),
+            hn::MulAdd(e, v.y, xz),    hn::NegMulAdd(e, v.x, yz), hn::Neg(f * (xx + yy))};
+        for (int k = 0; k < 9; ++k)
+            store(change[k], changes[k]);
     }
 
     static HWY_INLINE void turn(const Points& logs, Eigen::Index begin, Eigen::Index end,
@@ -91,7 +92,7 @@ struct Kernel : LaneAngles
         {
             const int count = static_cast<int>(std::min<Eigen::Index>(width, end - k));
             double change[9][width];
-            turns(loaded(logs.data() + 3 * k, count)).store(change);
+            turn(loaded(logs.data() + 3 * k, count), change);
             for (int lane = 0; lane < count; ++lane)
                 for (int i = 0; i < 9; ++i)
                     changes[k - begin + lane].data()[i] = change[i][lane];
@@ -99,7 +100,8 @@ struct Kernel : LaneAngles
     }
 
     // \returns lanes whose logs are told; the others are left to log_near()
-    static HWY_INLINE Mask tell(const LaneMatrices& rotations, const Lanes3& reference, Lanes3& log)
+    static HWY_INLINE Mask tell(const LaneMatrices& rotations, const Lanes3& reference,
+                                double (&logs)[3][width])
     {
         const auto& m = rotations.at;
         const Lanes squared_cosine = filled(0.25) * (filled(1.0) + m[0] + m[4] + m[8]);
@@ -113,7 +115,9 @@ struct Kernel : LaneAngles
         const Lanes narrow =
             hn::IfThenElse(squared_sine > filled(tiny), half * over_sine, filled(1.0));
         const Lanes ratio = hn::MulAdd(turns * filled(pi), over_sine, narrow);
-        log = {axis.x * ratio, axis.y * ratio, axis.z * ratio};
+        store(axis.x * ratio, logs[0]);
+        store(axis.y * ratio, logs[1]);
+        store(axis.z * ratio, logs[2]);
         return hn::And(squared_cosine > filled(surely_told),
                        dot(reference, reference) < filled(0.25 * pi * pi));
     }
@@ -125,14 +129,10 @@ struct Kernel : LaneAngles
         for (int first = 0; first < count; first += width)
         {
             const int some = std::min(width, count - first);
-            Lanes3 log;
             double is_told[width], logs[3][width];
             store(tell(LaneMatrices::loaded(rotations.data() + first, some),
-                       loaded(references.data() + 3 * first, some), log),
+                       loaded(references.data() + 3 * first, some), logs),
                   is_told);
-            store(log.x, logs[0]);
-            store(log.y, logs[1]);
-            store(log.z, logs[2]);
             for (int lane = 0; lane < some; ++lane)
                 if (is_told[lane] != 0.0)
                     found.logs.row(first + lane) << logs[0][lane], logs[1][lane], logs[2][lane];

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sheetmorph/numerics/cholesky/front_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -45,6 +44,9 @@ struct Substitution
     struct Lanes
     {
         hn::Vec<Part> part[sides / width];
+
+        // An implicit one would not be compiled for the instruction set.
+        HWY_INLINE Lanes() {}
 
         // -= factor * other
         HWY_INLINE void take_off(double factor, const Lanes& other)

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <vector>
 
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sheetmorph/numerics/products/dense_products.cpp"
 #include <hwy/foreach_target.h>
 

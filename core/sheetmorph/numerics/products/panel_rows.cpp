@@ -9,7 +9,6 @@
 #include <limits>
 #include <type_traits>
 
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sheetmorph/numerics/products/panel_rows.cpp"
 #include <hwy/foreach_target.h>
 

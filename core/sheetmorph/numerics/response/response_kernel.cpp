@@ -3,7 +3,6 @@
 
 #include "sheetmorph/base/instructions/instructions.h"
 
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sheetmorph/numerics/response/response_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -25,10 +24,6 @@ constexpr int width = static_cast<int>(hn::MaxLanes(Floats()));
 // Nine sums are under way at once: enough to hide how long one multiply-add takes.
 constexpr int vectors = 3;
 
-struct Sums
-{
-    Lanes at[vectors][3];  // x, y, z
-};
 using Blended = float[ResponseProduct::most_fields][3];
 
 using Group = hn::CappedTag<float, ResponseProduct::lanes>;
@@ -95,23 +90,23 @@ HWY_INLINE void multiply_rows(const ResponseProduct& work, const Blended& blende
 {
     const hn::Rebind<std::int16_t, Floats> shorts;
     const hn::Rebind<std::int32_t, Floats> integers;
-    Sums sums;
-    for (auto& sum : sums.at)
+    Lanes sums[vectors][3];  // x, y, z
+    for (auto& sum : sums)
         sum[0] = sum[1] = sum[2] = hn::Zero(Floats());
     const ResponseRows* wide = work.wide + block * work.wide_count;
     for (int k = 0; k < work.wide_count; ++k)
         for (int v = 0; v < vectors; ++v)
-            add_field(blended[k], hn::LoadU(Floats(), wide[k].at + first + v * width), sums.at[v]);
+            add_field(blended[k], hn::LoadU(Floats(), wide[k].at + first + v * width), sums[v]);
     const NarrowRows* narrow = work.narrow + block * work.narrow_count;
     for (int k = 0; k < work.narrow_count; ++k)
         for (int v = 0; v < vectors; ++v)
         {
             const auto steps = hn::LoadU(shorts, narrow[k].at + first + v * width);
             add_field(blended[work.wide_count + k],
-                      hn::ConvertTo(Floats(), hn::PromoteTo(integers, steps)), sums.at[v]);
+                      hn::ConvertTo(Floats(), hn::PromoteTo(integers, steps)), sums[v]);
         }
     for (int v = 0; v < vectors; ++v)
-        store(sums.at[v], work.result + 3 * (block * ResponseRows::count + first + v * width));
+        store(sums[v], work.result + 3 * (block * ResponseRows::count + first + v * width));
 }
 
 void run_widest(const ResponseProduct& work)

@@ -2,14 +2,14 @@
 #include "sheetmorph/volume/rotations/rotation_kernel.h"
 
 #include "sheetmorph/base/instructions/instructions.h"
+#include "sheetmorph/base/log_near.h"
 
 #include <algorithm>
 
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sheetmorph/volume/rotations/rotation_kernel.cpp"
 #include <hwy/foreach_target.h>
 
-#include "sheetmorph/volume/rotations/lane_rotations.h"
+#include "sheetmorph/base/rotations/lane_matrices.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheetmorph::volume
@@ -19,7 +19,77 @@ namespace HWY_NAMESPACE
 namespace
 {
 
-//! A call of turn_rings().
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Polar factors of `width` matrices at once. Which ones stand beside each other decides nothing,
+// to the bit.
+struct LaneRotations : sheetmorph::HWY_NAMESPACE::LaneFunctions
+{
+    // As in polar_rotation(): what is not so soon found, or so flat, is left to it.
+    static constexpr int most_steps = 8;
+    static constexpr double settled = 1e-18;       // the square of a change
+    static constexpr double clearly_round = 1e-6;  // squared determinant in that of the size
+
+    using Matrices = sheetmorph::HWY_NAMESPACE::LaneMatrices;
+
+    // One step of Newton's method, (m + m^-T) / 2, where it is not settled yet.
+    static HWY_INLINE void step(Matrices& m, Mask& is_open, Mask& is_lost)
+    {
+        Matrices cofactors;
+        Lanes size = filled(0.0);
+        for (int column = 0; column < 3; ++column)
+            for (int row = 0; row < 3; ++row)
+            {
+                const int c1 = (column + 1) % 3, c2 = (column + 2) % 3;
+                const int r1 = (row + 1) % 3, r2 = (row + 2) % 3;
+                cofactors.at[3 * column + row] = hn::MulSub(m.at[3 * c1 + r1], m.at[3 * c2 + r2],
+                                                            m.at[3 * c1 + r2] * m.at[3 * c2 + r1]);
+                size = hn::MulAdd(m.at[3 * column + row], m.at[3 * column + row], size);
+            }
+        const Lanes determinant =
+            dot({m.at[0], m.at[1], m.at[2]}, {cofactors.at[0], cofactors.at[1], cofactors.at[2]});
+        const Mask is_round =
+            hn::And(determinant > filled(0.0),
+                    determinant * determinant > filled(clearly_round) * size * size * size);
+        is_lost = hn::Or(is_lost, hn::AndNot(is_round, is_open));
+        const Lanes half = filled(0.5), share = half / determinant;
+        Lanes change = filled(0.0);
+        for (int k = 0; k < 9; ++k)
+        {
+            const Lanes next = hn::MulAdd(share, cofactors.at[k], half * m.at[k]);
+            const Lanes moved = next - m.at[k];
+            change = hn::MulAdd(moved, moved, change);
+            m.at[k] = hn::IfThenElse(is_open, next, m.at[k]);
+        }
+        is_open = hn::AndNot(hn::Or(is_lost, change < filled(settled)), is_open);
+    }
+
+    // The polar factors of those lanes of m go to `matrices`, the others stay as they are there.
+    static HWY_INLINE void store_polar(const Matrices& given, Mask asked, Matrix3* matrices,
+                                       int count)
+    {
+        Matrices m = given;
+        Mask open = asked, lost = hn::Xor(asked, asked);
+        for (int k = 0; k < most_steps && any(open); ++k)
+            step(m, open, lost);
+        lost = hn::Or(lost, open);
+        for (int k = 0; k < 9; ++k)
+            m.at[k] = hn::IfThenElse(lost, given.at[k], m.at[k]);
+        double is_asked[width], is_lost[width], numbers[9][width];
+        store(asked, is_asked);
+        store(lost, is_lost);
+        m.store(numbers);
+        for (int lane = 0; lane < count; ++lane)
+        {
+            for (int k = 0; k < 9 && is_asked[lane] != 0.0; ++k)
+                matrices[lane].data()[k] = numbers[k][lane];
+            if (is_lost[lane] != 0.0)
+                matrices[lane] = polar_rotation(matrices[lane]);
+        }
+    }
+};
+
+// A call of turn_rings().
 struct RingWork
 {
     const RingBatch& batch;
@@ -52,6 +122,11 @@ struct Kernel : LaneRotations
     static HWY_INLINE Vectors between(const Vectors& from, const Vectors& to)
     {
         return {{to.at[0] - from.at[0], to.at[1] - from.at[1], to.at[2] - from.at[2]}};
+    }
+
+    static HWY_INLINE Vectors scaled(Lanes factor, const Vectors& v)
+    {
+        return {{factor * v.at[0], factor * v.at[1], factor * v.at[2]}};
     }
 
     // m v
@@ -91,14 +166,9 @@ struct Kernel : LaneRotations
             const RingSpokes& spoke = work.spokes[k];
             const Vectors rest = between(own_rest, gathered(work.rest, spoke.other + begin));
             const Vectors now = between(own_now, gathered(work.now, spoke.other + begin));
-            const Vectors explained = turned(reference, rest);
             const Lanes triangles = factors(spoke.triangles + begin);
-            Vectors left;
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                left.at[axis] = triangles * (now.at[axis] - explained.at[axis]);
-                left_over = hn::MulAdd(left.at[axis], left.at[axis], left_over);
-            }
+            const Vectors left = scaled(triangles, between(turned(reference, rest), now));
+            left_over = left_over + dot(left, left);
             add_outer(left, rest, sum);
             const Lanes is_next = factors(spoke.is_next + begin);
             for (int axis = 0; axis < 3; ++axis)
@@ -122,10 +192,7 @@ struct Kernel : LaneRotations
         const Lanes squares = dot(area, area), length = inverse_root(squares);
         const Lanes weight =
             hn::IfThenElseZero(squares > filled(1e-280), load(batch.normal_weight + begin));
-        Vectors left;
-        for (int axis = 0; axis < 3; ++axis)
-            left.at[axis] = weight * hn::MulSub(area.at[axis], length, explained.at[axis]);
-        return left;
+        return scaled(weight, between(explained, scaled(length, area)));
     }
 
     // to += a times the symmetric inverse
