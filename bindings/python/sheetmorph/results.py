@@ -20,7 +20,7 @@ class FeatureResult:
     translation, centre : array (3,)
         mm.
     edge_error : float
-        Worst |p_i - p_j - R (p_hat_i - p_hat_j)| over the feature's edges, mm (2.4).
+        Largest change of an edge vector against the rigid motion, mm (2.4).
     rotation_type : str
         "free", "interpolated" or "prescribed".
     motion : str
