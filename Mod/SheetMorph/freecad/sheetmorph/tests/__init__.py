@@ -30,6 +30,7 @@ MODULES = tuple(
         "overwriting",
         "decks",
         "cad",
+        "cad_worker",
         "shapes",
         "recipes",
         "examples",
