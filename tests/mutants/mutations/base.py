@@ -33,8 +33,7 @@ MUTATIONS = [
         "base/log_near.cpp",
         "cosine = (1.0 - std::cos(angle)) / angle",
         "cosine = -(1.0 - std::cos(angle)) / angle",
-        "LogNear*",
-        "volume",
+        "LogNear.*",
     ),
     Mutation(
         "base/log_near.cpp",
