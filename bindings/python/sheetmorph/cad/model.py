@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the CAD worker tells of a file: its parts as meshes whose faces are known."""
+"""The content of a CAD file, as the CAD worker meshes it."""
 
 from __future__ import annotations
 
@@ -92,12 +92,11 @@ class CadPart:
 
 
 class CadModel:
-    """What a CAD file holds, in mm, and the worker that has its shapes.
+    """The parts of a CAD file, in mm, and the worker that holds its shapes.
 
-    parts; edge, deflection (mm), angle (radians): what was meshed with; lost_faces: how many faces
-    of the file OpenCASCADE could not make, no part has them; lost_in: solids of a STEP file that
-    lack some of them; unread: entities of a STEP file with values that make no sense, number and
-    why.
+    parts; edge, deflection (mm), angle (radians): sizes of the mesh; lost_faces: number of faces
+    that OpenCASCADE could not build, missing in the parts; lost_in: solids of a STEP file with such
+    faces; unread: entities of a STEP file with invalid values, each with its number and the reason.
     """
 
     def __init__(
@@ -108,42 +107,42 @@ class CadModel:
         file: Path | None = None,
     ):
         self._doing, self._request, self._file = doing, list(request), file
-        # What is read once more must be the same, whatever happens to the file meanwhile.
+        # A worker that reads the shapes again must see the same file.
         self._content = b"" if file is None else file.read_bytes()
         self._worker = Worker()
-        told, _ = self._worker.ask(doing, self._request, progress)
-        self.parts = [_part(entry) for entry in told["parts"]]
-        self.edge: float = told["edge"]
-        self.deflection: float = told["deflection"]
-        self.angle: float = told["angle"]
-        self.lost_faces: int = told["lost_faces"]
-        self.lost_in: list[str] = told["lost_in"]
-        self.unread: list[str] = told["unread"]
+        answer, _ = self._worker.request(doing, self._request, progress)
+        self.parts = [_part(entry) for entry in answer["parts"]]
+        self.edge: float = answer["edge"]
+        self.deflection: float = answer["deflection"]
+        self.angle: float = answer["angle"]
+        self.lost_faces: int = answer["lost_faces"]
+        self.lost_in: list[str] = answer["lost_in"]
+        self.unread: list[str] = answer["unread"]
 
     def kept_mesh(self, part: int) -> bytes:
-        """What kept_model needs to know of the mesh of a part."""
+        """Return the data from which kept_model restores the mesh of a part."""
         return self._of_part("kept_mesh", part)
 
     def brep(self, part: int) -> str:
-        """The shape of one part as the text of a BREP file, where it stands, at rest."""
+        """Return the shape of a part at rest as the text of a BREP file."""
         return self._of_part("brep", part).decode()
 
     def write(
         self, request: Sequence[bytes], progress: Progress | None = None
     ) -> list[dict[str, Any]]:
-        """What the written file holds, a dict a part; see write_cad."""
-        told, _ = self._ready().ask("wrote the shapes", request, progress)
-        return [_measures(body) for body in told["bodies"]]
+        """Write a file and return a dict of measures for each part; see write_cad."""
+        answer, _ = self._ready().request("wrote the shapes", request, progress)
+        return [_measures(body) for body in answer["bodies"]]
 
     def _of_part(self, request: str, part: int) -> bytes:
         if not 0 <= part < len(self.parts):
             raise IndexError(f"there is no part {part}")
         number = struct.pack("=i", part)
         name = self.parts[part].name
-        return self._ready().ask(f"kept '{name}'", [request.encode(), number])[1]
+        return self._ready().request(f"kept '{name}'", [request.encode(), number])[1]
 
     def _ready(self) -> Worker:
-        """A worker that has the shapes: another one reads them again if the first has ended."""
+        """Return a worker with the shapes; a new one reads them again if the first has ended."""
         if not self._worker.is_alive:
             self._worker = self._read_again()._worker
         return self._worker
@@ -158,20 +157,20 @@ class CadModel:
             return CadModel(self._doing, request)
 
 
-def _part(told: dict[str, Any]) -> CadPart:
-    surfaces = [CadSurface(**_with_vectors(one, "point", "axis")) for one in told["surfaces"]]
+def _part(answer: dict[str, Any]) -> CadPart:
+    surfaces = [CadSurface(**_with_vectors(one, "point", "axis")) for one in answer["surfaces"]]
     features = [
-        CadFeature(**_with_vectors(one, "center", "axis")) for one in told["found_features"]
+        CadFeature(**_with_vectors(one, "center", "axis")) for one in answer["found_features"]
     ]
-    known: dict[str, Any] = {**told, "surfaces": surfaces, "found_features": features}
-    return CadPart(**known)
+    entries: dict[str, Any] = {**answer, "surfaces": surfaces, "found_features": features}
+    return CadPart(**entries)
 
 
-def _with_vectors(told: dict[str, Any], *names: str) -> dict[str, Any]:
-    return {**told, **{name: np.array(told[name]) for name in names}}
+def _with_vectors(answer: dict[str, Any], *names: str) -> dict[str, Any]:
+    return {**answer, **{name: np.array(answer[name]) for name in names}}
 
 
-def _measures(told: dict[str, Any]) -> dict[str, Any]:
-    """What was measured of a body, its places as arrays and its cylinders as tuples."""
-    places = {key: _with_vectors(told[key], "place") for key in ("gap", "distance", "kink")}
-    return {**told, **places, "cylinders": [tuple(one) for one in told["cylinders"]]}
+def _measures(answer: dict[str, Any]) -> dict[str, Any]:
+    """Return the measures of a body, its places as arrays and its cylinders as tuples."""
+    places = {key: _with_vectors(answer[key], "place") for key in ("gap", "distance", "kink")}
+    return {**answer, **places, "cylinders": [tuple(one) for one in answer["cylinders"]]}

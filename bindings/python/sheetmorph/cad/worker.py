@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The program ``sheetmorph-cad``, which has OpenCASCADE to itself, and the pipe to it."""
+"""The program ``sheetmorph-cad``, which alone uses OpenCASCADE, and the pipe to it."""
 
 from __future__ import annotations
 
@@ -39,8 +39,8 @@ class _Lost(Exception):
 class Worker:
     """A process of the program. It ends with this object, or when this process ends.
 
-    Whatever ends a request early (an error of the progress, Ctrl+C) ends the worker too: there is
-    no other way to stop OpenCASCADE at any moment. Raises KernelError if it cannot be started.
+    An error of the progress callback or Ctrl+C ends the worker with its request, because nothing
+    else stops OpenCASCADE at any moment. Raises KernelError if the program cannot start.
     """
 
     def __init__(self) -> None:
@@ -56,33 +56,33 @@ class Worker:
             )  # fmt: skip
         except OSError as error:
             raise _no_worker(error.strerror or str(error)) from None
-        self._asking = threading.Lock()
+        self._busy = threading.Lock()
         self._end = weakref.finalize(self, _end, self._process, self._owner)
         _make_room()
         _LIVING.append(weakref.ref(self))
 
     @property
     def is_alive(self) -> bool:
-        """Whether it can be asked; a process that was forked from this one has no worker."""
+        """Whether it accepts requests; a forked process has no worker."""
         return self._owner == os.getpid() and self._end.alive and self._process.poll() is None
 
     def end_if_idle(self) -> None:
-        """End it, unless it is being asked."""
-        if self._asking.acquire(blocking=False):
+        """End it, unless it works on a request."""
+        if self._busy.acquire(blocking=False):
             try:
                 self._end()
             finally:
-                self._asking.release()
+                self._busy.release()
 
-    def ask(
+    def request(
         self, doing: str, fields: Sequence[bytes], progress: Progress | None = None
     ) -> tuple[Any, bytes]:
-        """The answer to a request, see ``core/cad/requests.h``, and the data that comes with it.
+        """Send a request (``core/cad/requests.h``); return the answer and its data.
 
-        doing: what it does, for the message if it ends meanwhile. Raises what the kernel would
-        raise: InvalidInput, SolverError, Cancelled; and InvalidInput if it ends.
+        doing: the work as a verb in the past, for the message if the worker ends. Raises the errors
+        of the kernel: InvalidInput, SolverError, Cancelled; and InvalidInput if the worker ends.
         """
-        with self._asking:
+        with self._busy:
             try:
                 self._send(fields)
                 answer, data = self._answer(progress)
@@ -121,7 +121,7 @@ class Worker:
                 raise load_kernel().Cancelled("cancelled by the user")
 
     def _lost(self, doing: str) -> Exception:
-        """The error that says how it ended."""
+        """Return an error with the reason why the worker ended."""
         with suppress(subprocess.TimeoutExpired):
             self._process.wait(10)  # it closed the pipe, so it is about to end
         code = self._process.poll()
@@ -134,27 +134,29 @@ class Worker:
         if code is not None and code < 0:
             reason = signal.strsignal(-code) or f"signal {-code}"
         what = f"the CAD worker ended unexpectedly while it {doing} ({reason.lower()})"
-        told = {"error": "InvalidInput", "message": f"{what}; {_TRY}"}
-        return _error({**told, "what": what, "brief": what, "todo": _TRY})
+        fault = {"error": "InvalidInput", "message": f"{what}; {_TRY}"}
+        return _error({**fault, "what": what, "brief": what, "todo": _TRY})
 
 
 _LIVING: list[weakref.ref[Worker]] = []  # the oldest first
 
 
 def _make_room() -> None:
-    """End the oldest workers where there are too many."""
+    """End the oldest idle workers if there are too many."""
     found = [worker for worker in (one() for one in _LIVING) if worker and worker.is_alive]
     for worker in found[: max(0, len(found) + 1 - MOST)]:
         worker.end_if_idle()
     _LIVING[:] = [weakref.ref(worker) for worker in found if worker.is_alive]
 
 
-def _error(told: dict[str, str]) -> Exception:
-    """The error that an answer tells, as the kernel raises it."""
+def _error(answer: dict[str, str]) -> Exception:
+    """Return the error in an answer, as the kernel raises it."""
     core = load_kernel()
-    kind: Any = {"InvalidInput": core.InvalidInput, "SolverError": core.SolverError}[told["error"]]
-    error = kind(told["message"])
-    error.what, error.brief, error.todo = told["what"], told["brief"], told["todo"]
+    kind: Any = {"InvalidInput": core.InvalidInput, "SolverError": core.SolverError}[
+        answer["error"]
+    ]
+    error = kind(answer["message"])
+    error.what, error.brief, error.todo = answer["what"], answer["brief"], answer["todo"]
     error.code, error.where, error.objects, error.vertices = "other", "", [], []
     raised: Exception = error
     return raised
@@ -168,7 +170,7 @@ def _no_worker(reason: str) -> KernelError:
 
 
 def _end(process: subprocess.Popen[bytes], owner: int) -> None:
-    """End a worker, whatever it does, unless it is that of another process."""
+    """End a worker of this process at once."""
     if os.getpid() != owner:
         return
     process.kill()
@@ -190,13 +192,13 @@ def _read(pipe: IO[bytes], length: int) -> bytes:
 
 
 def _with_array(data: bytes) -> Any:
-    """A hook for JSON that puts arrays of the data in place of what says where they are."""
+    """Return a hook for JSON that replaces each description of an array by the array."""
 
-    def hook(told: dict[str, Any]) -> Any:
-        if "shape" not in told:
-            return told
-        shape, number = told["shape"], np.dtype(f"={told['type']}")
+    def hook(entry: dict[str, Any]) -> Any:
+        if "shape" not in entry:
+            return entry
+        shape, number = entry["shape"], np.dtype(f"={entry['type']}")
         count = int(np.prod(shape))
-        return np.frombuffer(data, number, count, told["at"]).reshape(shape)
+        return np.frombuffer(data, number, count, entry["at"]).reshape(shape)
 
     return hook
