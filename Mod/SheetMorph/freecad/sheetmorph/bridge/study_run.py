@@ -70,7 +70,7 @@ class StudyRun:
 
     @property
     def fault(self) -> str:
-        """Why there is no table, in one sentence; empty if there is one."""
+        """Return the reason for a missing table in one sentence; empty if there is a table."""
         if (self._out / SUMMARY).is_file():
             return ""
         self._said.seek(0)

@@ -124,7 +124,7 @@ class ContactPanel(Panel):
         return True
 
     def _fault(self) -> str:
-        """Return why there is no contact yet, empty if there is one."""
+        """Return the reason why the contact cannot be made yet; empty if it can."""
         if not self._sides.are_chosen:
             return translate(
                 "SheetMorph_panels", "Choose two parts: click on one, then on the other."

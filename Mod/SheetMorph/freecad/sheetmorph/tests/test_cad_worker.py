@@ -35,7 +35,7 @@ class Workers:
 
 class TestWorker(test_cad.CadTest):
     def state(self) -> list:
-        """Return what tells whether the document has changed."""
+        """Return the state of the document for a comparison."""
         return [
             (obj.Name, obj.Label, obj.State, obj.PropertiesList) for obj in self.document.Objects
         ]
