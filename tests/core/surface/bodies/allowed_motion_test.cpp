@@ -101,8 +101,10 @@ TEST(AllowedMotion, ARestrictedBodyIsWhereItsMotionAllowsAndNowhereNearer)
             {
                 const BodyState allowed = nearest_restricted(part, body, draw.near(found));
                 if (type != FeatureMotion::Type::axis)
+                {
                     EXPECT_LE((moved_point(body, found, centre) - target).norm(),
                               (moved_point(body, allowed, centre) - target).norm() + 1e-10);
+                }
                 EXPECT_LE(between(found.rotation, wanted.rotation),
                           between(allowed.rotation, wanted.rotation) + 1e-7);
             }
