@@ -20,6 +20,7 @@ Matrix3 rotation_of_covariance(const Matrix3& covariance)
     const Vector3 spread = svd.singularValues();
     if (spread(0) <= 0.0)
         return Matrix3::Identity();
+    // Squares of lengths: the points lie on a line to 1e-5 of its length.
     if (spread(1) <= 1e-10 * spread(0))
         return Eigen::Quaterniond::FromTwoVectors(svd.matrixU().col(0), svd.matrixV().col(0))
             .toRotationMatrix();

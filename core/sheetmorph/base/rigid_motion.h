@@ -28,8 +28,9 @@ struct RigidMotion
 RigidMotion best_rigid_motion(const Points& from, const Points& to,
                               const Eigen::VectorXd& weights = {});
 
-//! How strongly a known rotation holds against points that spread little across it: as if every
-//! point had offsets of about a thirtieth of the set's extent.
+//! Stiffness of the known rotation against points that spread little across it. Chosen: as if every
+//! point had offsets of a thirtieth (the root of this) of the extent. A narrower set does not show
+//! its own rotation about its length.
 constexpr double stiffness_of_known_rotation = 1e-3;
 
 //! The same where a rotation is already known approximately: what the points tell weakly or not at

@@ -14,7 +14,9 @@ using Real = long double;
 using Vector = Eigen::Matrix<Real, 3, 1>;
 using Square = Eigen::Matrix<Real, 3, 3>;
 
-// Elevation above the plane below which the third direction of the weights is rounding only.
+// Elevation of the point above the triangle's plane. Weights divide by it. From rounding: long
+// doubles (1e-19) keep ten digits at this elevation, and the limit in the plane, flat_weights(),
+// differs from the weights there by about the elevation.
 constexpr Real flat = 1e-9L;
 
 // Columns: the corners seen from the point.

@@ -18,11 +18,13 @@ namespace
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Elevation of the point above a triangle's plane below which rounding, 2 to 3 eps / elevation of a
-// weight, would show; such pairs are left to grazed_triangle(), some two in five points have one.
+// Elevation of the point above a triangle's plane; lower pairs go to grazed_triangle(), for about
+// two in five points. From rounding: 2 to 3 eps / elevation of a weight. Measured: 1e-4 left errors
+// of 1.06e-11 far from the mesh without fused multiply-add; the tests allow 1e-11.
 constexpr double grazing = 3e-4;
 
-// Sums of weights below this share of their magnitudes, or beyond this one, have no digit left.
+// Sum of the weights over the sum of their magnitudes. From rounding: below it, hundreds of terms
+// with errors of 1e-16 leave fewer than two digits. The largest sum is from the range of doubles.
 constexpr double lost_digits = 1e-12;
 constexpr double largest_sum = 1e300;
 

@@ -21,6 +21,7 @@ struct LaneAngles : LaneFunctions
     // Half of atan2(sine, cosine), sine >= 0, for sine^2 + cosine^2 = 1.
     static HWY_INLINE Lanes half_angle(Lanes sine, Lanes cosine)
     {
+        // From geometry: pi / 4, and the tangent of pi / 8, sqrt(2) - 1.
         constexpr double quarter_pi = 0.78539816339744830962,
                          tan_eighth_pi = 0.41421356237309504880;
         const Lanes below = filled(1.0) + hn::Abs(cosine);
