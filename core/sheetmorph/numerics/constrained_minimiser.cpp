@@ -12,11 +12,13 @@ namespace sheetmorph::numerics
 namespace
 {
 
-// Refinement ends when the next step would change the answer by less than this, relatively, or one
-// changed it more than half as much as the one before: then rounding is all that is left.
+// Relative change of the answer at which refinement ends. From rounding: about 5 units of the last
+// digit. Refinement also ends after a step that shrank by less than half, because only rounding is
+// left then.
 constexpr double settled = 1e-15;
 
-// Left to change, relatively, of an answer that counts as found.
+// Relative change that a converged answer may still need. From the accuracy that SheetMorph
+// promises: rigid motions to 1e-9 of the size (mathematics.md, section 8).
 constexpr double found_to = 1e-9;
 
 double largest(const Eigen::MatrixXd& matrix)
@@ -106,6 +108,8 @@ void ConstrainedMinimiser::factor_schur_complement()
     const Eigen::MatrixXd complement = reduced_constraints_ * responses_;
     scale_ = complement.diagonal().unaryExpr(
         [](double stiffness) { return stiffness > 0.0 ? 1.0 / std::sqrt(stiffness) : 0.0; });
+    // The rows have unit length. Chosen between the rounding of redundant constraints (1e-15) and
+    // the pivots of independent ones, which a condition of 1e6 would lower to 1e-12.
     schur_.setThreshold(1e-12);
     schur_.compute(scale_.asDiagonal() * complement * scale_.asDiagonal());
 }

@@ -13,8 +13,15 @@ namespace sheetmorph::numerics
 namespace
 {
 
+// Chosen: the last step is 2^-30, a billionth of the whole, as short as a converged one.
 constexpr int most_halvings = 30;
-constexpr double sufficient = 1e-4;  // Armijo: of the decrease that the slope promises
+
+// Share of the decrease that the slope promises (Armijo's condition); from Nocedal and Wright,
+// Numerical Optimization, 2006, section 3.1.
+constexpr double sufficient = 1e-4;
+
+// Chosen: a step ten times shorter than the one before shows quadratic convergence. Linear
+// convergence is rarely so fast.
 constexpr double tenfold = 0.1;
 
 class Descent

@@ -13,7 +13,8 @@ namespace sheetmorph::numerics
 namespace
 {
 
-// Memory of so many updates is kept for the next ones.
+// Number of updates whose memory is kept for the next ones. Chosen, not measured: more would keep
+// memory that only few later updates fit.
 constexpr std::size_t most_spare = 6;
 
 Eigen::Map<Weights> square(Update& update, int rows)

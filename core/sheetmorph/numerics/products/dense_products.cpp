@@ -21,7 +21,8 @@ namespace
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Twelve sums of two registers are under way at once, as many as 16 registers have room for.
+// From the processor: six rows of two registers are twelve sums; of the 16 registers of AVX2 two
+// hold the panel and one the entry of a row.
 constexpr int tile_rows = 6;
 
 // A tile of the product: tile_rows rows of `left` against a packed panel of 2 * width columns.

@@ -24,9 +24,10 @@ namespace
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr int panel = 8;  // rows
+constexpr int panel = 8;  // rows; from the widest register, eight doubles
 
-// A float in [2^e, 2^(e+1)) is at most 2^(e-24) from its entry: 2^15 units of 2^(e-39).
+// From the formats: a float in [2^e, 2^(e+1)) is at most 2^(e-24) from its entry. That is 2^15
+// units of 2^(e-39), so 16 bits hold the remainder.
 constexpr float unit_share = 1.0F / (1LL << 39);
 constexpr std::int32_t exponent_bits = 0x7f800000;
 

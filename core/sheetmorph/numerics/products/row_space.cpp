@@ -14,8 +14,9 @@ namespace
 // Rows of the basis found at a time: a multiple of the rows of a tile of a dense product.
 constexpr Eigen::Index block = 24;
 
-// Every row is in this many sums. There are more sums than the rank can be, so that no direction is
-// lost by chance.
+// Every row enters this many random sums: a sparse sign sketch, for which Martinsson and Tropp,
+// Randomized Numerical Linear Algebra, 2020, section 9.2, recommend 8. There are more sums than the
+// rank can be, so that no direction is lost by chance.
 constexpr int sums_of_row = 8;
 constexpr Eigen::Index spare = 2 * block;
 

@@ -15,12 +15,13 @@ namespace
 {
 
 constexpr Eigen::Index block_rows = ResponseRows::count;
-constexpr float largest_narrow = 32767.0F;
+constexpr float largest_narrow = 32767.0F;  // from the format: the largest std::int16_t
 
-// By how much the steps of a narrow field may miss, in units of the tolerances.
+// Largest error of a field in steps of 16 bits, in units of the tolerances. Chosen: a quarter of
+// the tolerance, so that the error of the fields themselves, up to one, still dominates.
 constexpr double narrow_miss = 0.25;
 
-// Rows whose patches are worth a range of their own: some 30 microseconds.
+// Rows of a range. Chosen: they take about 30 microseconds, as long as waking a thread.
 constexpr Eigen::Index least_rows = 8000;
 
 // Steps of 16 bits for a field, or 0 if they are too coarse for the columns that it is blended to.

@@ -19,15 +19,17 @@ namespace
 constexpr Eigen::Index columns_a_block = 12;
 constexpr Eigen::Index fewest_blocks = 2;
 
-// Few columns are read faster in the order of the numbering, where that goes from neighbour to
-// neighbour: steps of so many mean spacings at most.
+// Up to few_columns, rows are read faster in the order of the numbering if that goes from neighbour
+// to neighbour: mean step, in mean spacings, at most near_steps. A random order has steps of about
+// half the size, hundreds of spacings; a mesh numbered row by row has one. Chosen between the two.
 constexpr Eigen::Index few_columns = 48;
 constexpr double near_steps = 4.0;
 
-// Of a column's largest entry: less than float32 can tell.
+// Relative to a column's largest entry. From float32, whose rounding is 6e-8.
 constexpr double rounding = 1e-7;
 
-// In units of the tolerances: a column that moves a patch by less is not felt there.
+// In units of the tolerances. Chosen: a column that moves a patch by a tenth of its tolerance does
+// not need a field there.
 constexpr double unfelt = 0.1;
 
 // Rows whose patches are worth a range of their own.

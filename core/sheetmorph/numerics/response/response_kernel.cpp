@@ -21,7 +21,8 @@ using Floats = hn::CappedTag<float, 16>;
 using Lanes = hn::Vec<Floats>;
 constexpr int width = static_cast<int>(hn::MaxLanes(Floats()));
 
-// Nine sums are under way at once: enough to hide how long one multiply-add takes.
+// From the processor: it starts two multiply-adds per cycle and ends each after four, so eight
+// independent sums keep it busy. Three vectors of x, y and z are nine.
 constexpr int vectors = 3;
 
 using Blended = float[ResponseProduct::most_fields][3];

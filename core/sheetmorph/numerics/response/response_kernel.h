@@ -9,7 +9,7 @@ namespace sheetmorph::numerics
 //! Rows of a field that lie together, in float32.
 struct alignas(64) ResponseRows
 {
-    static constexpr int count = 48;
+    static constexpr int count = 48;  //!< from the kernel: three of the widest registers of floats
     float at[count];
 };
 
@@ -22,8 +22,9 @@ struct alignas(32) NarrowRows
 //! The product of one patch of rows: its fields, blended by shares * coefficients.
 struct ResponseProduct
 {
-    static constexpr int lanes = 8;        //!< shares of a column are a multiple of these
-    static constexpr int most_blocks = 8;  //!< of a patch, so that it has at most as many fields
+    static constexpr int lanes = 8;  //!< shares of a column are a multiple of these
+    //! Blocks of a patch. Chosen: the blended fields of a patch, 4.5 KiB, stay in the first cache.
+    static constexpr int most_blocks = 8;
     static constexpr int most_fields = most_blocks * ResponseRows::count;
 
     const ResponseRows* wide;  //!< block by block, one of each wide field
