@@ -18,7 +18,7 @@ namespace
 // faster than back-substitution.
 constexpr Eigen::Index most_kept = 100000;
 
-// Smoothstep reduces this weight to 3e-16, which is rounding.
+// From smoothstep, which makes 3 w^2 = 3e-16 of it: that is rounding.
 constexpr double least_weight = 1e-8;
 
 // Numbers all prescribed rotations. A vertex belongs to one source or to none.
