@@ -16,7 +16,8 @@ namespace sheetmorph::cad
 namespace
 {
 
-// Two surfaces of one file are the same within it, relative to the part.
+// Two surfaces of one file are the same within this, relative to the part. From OpenCASCADE, whose
+// readers treat points 1e-7 mm apart as one (Precision::Confusion), on a part of 1 mm.
 constexpr double same_within = 1e-7;
 
 Vector3 across(const CadSurface& surface, const Vector3& point)

@@ -11,10 +11,12 @@ namespace sheetmorph::assembly
 namespace
 {
 
-// A single point says nothing about the size of its box; this share of the assembly does.
+// Size of the box of a single point, which has no extent, relative to the assembly. Chosen: a bolt
+// with its washer, 20 mm in an assembly of 1 m.
 constexpr double single_point_share = 0.02;
 
-// Directions shorter than this share of the assembly say nothing.
+// Shortest direction that determines an axis, relative to the assembly. From files with seven
+// digits: coordinates are exact to 1e-7 of it.
 constexpr double shortest_direction = 1e-6;
 
 Points all_points(const Assembly& assembly)

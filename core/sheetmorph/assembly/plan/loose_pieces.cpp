@@ -16,7 +16,8 @@ namespace sheetmorph::assembly
 namespace
 {
 
-// Enough to find a place beside a piece, however fine it is.
+// Vertices at which a place beside a piece is searched. Chosen: enough on all its sides, however
+// fine it is.
 constexpr std::size_t most_samples = 200;
 
 // The triangles that no loose piece has.

@@ -21,7 +21,8 @@ namespace sheetmorph::assembly
 namespace
 {
 
-// Frames whose memory is kept for further ones: what is shown, what is on its way, what is made.
+// Frames whose memory is kept for further ones. From the pipeline: one is shown, one is on its way
+// to the screen, one is computed.
 constexpr std::size_t frames_kept = 3;
 
 // The first frame has all cores, unless it does not come: a button that is held still.

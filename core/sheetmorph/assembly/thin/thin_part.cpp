@@ -17,12 +17,10 @@ using mesh::Anchor;
 namespace
 {
 
-// Beyond this many thicknesses, what is opposite is not the other skin.
-constexpr double farthest_foot = 1.8;
-
 constexpr Eigen::Index least_searches = 50;  // worth a thread
 
-// A corner with less weight than this does not count.
+// A corner with a smaller weight does not count. From rounding: weights in a triangle with a height
+// of 1e-5 of its length (thinnest_triangle) are exact to 1e-11; chosen far above.
 constexpr double no_weight = 1e-6;
 
 std::vector<int> all_on(const recognise::ThinSolid& solid, recognise::SolidSide side)
@@ -114,7 +112,8 @@ void ThinPart::find_feet(const recognise::AcrossSheet& across)
     {
         const int v = skin_.vertices[at(s)];
         const std::vector<mesh::Hit> places = across.places(v, recognise::SolidSide::opposite);
-        if (!places.empty() && places.front().distance <= farthest_foot * across.thickness(v))
+        if (!places.empty()
+            && places.front().distance <= recognise::farthest_skin * across.thickness(v))
             feet_[at(s)] = anchors_at(places, mesh_.triangles());
     };
     each_in_parallel(feet_.size(), find);

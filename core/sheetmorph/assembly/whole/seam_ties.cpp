@@ -16,7 +16,8 @@ namespace sheetmorph::assembly
 namespace
 {
 
-// Of the size, and of a length: what is as near and as fine but for rounding.
+// Relative to the size, and to a length: differences that are rounding. Chosen: far above 1e-16,
+// and below or at the last digit of files with seven digits.
 constexpr double as_near = 1e-9;
 constexpr double as_fine = 1e-6;
 

@@ -20,6 +20,7 @@ Points rows_of(const VertexIds& vertices, const Points& points)
 
 double rigid_tolerance(const ShapeMesh& mesh)
 {
+    // From the accuracy that SheetMorph promises: a rigid motion is exact to 1e-9 of the size.
     constexpr double share = 1e-9;
     return share * (mesh.rest.colwise().maxCoeff() - mesh.rest.colwise().minCoeff()).norm();
 }

@@ -20,6 +20,8 @@ namespace sheetmorph::cad
 namespace
 {
 
+// Radians, and mm: axes that agree are one axis. From the accuracy of rigid motions, 1e-9, and from
+// OpenCASCADE's Precision::Confusion, 1e-7 mm.
 constexpr double same_angle = 1e-9, same_place = 1e-7;
 
 bool is_plane_spanned(const Points& points)
@@ -27,7 +29,9 @@ bool is_plane_spanned(const Points& points)
     const Points about = points.rowwise() - points.colwise().mean();
     const Matrix3 moments = about.transpose() * about;
     const Vector3 values = Eigen::SelfAdjointEigenSolver<Matrix3>(moments).eigenvalues();
-    constexpr double straight = 1e-8;  // a ten thousandth of its length wide
+    // Squares of lengths: a line may be 1e-4 of its length wide. Chosen: its width then turns the
+    // motion about it by errors of rounding over 1e-4, 1e-12.
+    constexpr double straight = 1e-8;
     return values(1) > straight * values(2);
 }
 

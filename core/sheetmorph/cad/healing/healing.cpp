@@ -19,7 +19,9 @@ namespace sheetmorph::cad
 namespace
 {
 
-constexpr double farthest = 0.01;  // mm
+// mm: how far healing may move a surface. Chosen: the default tolerance of writing
+// (CarryTolerances::surface), so that a healed shape is as exact as a written one.
+constexpr double farthest = 0.01;
 
 TopoDS_Shape unplaced(const TopoDS_Shape& shape)
 {

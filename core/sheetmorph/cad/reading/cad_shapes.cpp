@@ -151,6 +151,7 @@ bool has_iges_end(const std::string& text)
         return false;
     const std::size_t before = text.find_last_of("\r\n", last);
     const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+    // From the IGES standard: the letter of the section is in column 73.
     constexpr std::size_t column = 72;
     return last >= begin + column && text[begin + column] == 'T';
 }

@@ -25,6 +25,8 @@ constexpr std::array<double, 5> weights = {0.5688888888888889, 0.478628670499366
 ArcLength::ArcLength(const Handle(Geom_Curve) & curve, double low, double high)
     : curve_(curve), ends_{low}, lengths_{0.0}
 {
+    // Pieces of a span. Chosen: five places of Gauss integrate polynomials of degree 9, so eight
+    // pieces leave 8^-10 of the error of one.
     constexpr int cuts = 8;
     std::vector<double> breaks;
     for (const CubicBasis::Break& one : curve_breaks(curve, low, high))

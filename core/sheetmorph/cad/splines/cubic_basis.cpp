@@ -10,7 +10,7 @@ namespace sheetmorph::cad
 namespace
 {
 
-constexpr int degree = 3;
+constexpr int degree = 3;  // chosen: the lowest degree with continuous curvature
 
 using Table = std::array<std::array<double, 4>, 4>;
 

@@ -95,7 +95,7 @@ Handle(Geom2d_Curve)
         return curve;
     if (Geom2dAdaptor_Curve(curve).GetType() == GeomAbs_Line)  // a trimmed one, too
         return line(curve->Value(low), curve->Value(high), low, high);
-    constexpr double exact = 1e-6;
+    constexpr double exact = 1e-6;  // in parameters; chosen: below CarryTolerances::edge, 5e-4 mm
     const auto place = [&](double t) -> Vector3
     { return (Vector3() << place_at(curve, t), 0.0).finished(); };
     const SplineCurve found = curve_near(place, CubicBasis(low, high), exact);
@@ -106,6 +106,8 @@ Handle(Geom2d_Curve)
     curve_beneath(const Handle(Geom_Curve) & curve, const Handle(Geom_Surface) & surface,
                   const Handle(Geom2d_Curve) & of_file, double low, double high, double tolerance)
 {
+    // Places at which the curve of the file is compared, chosen, and steps of Newton's method to
+    // the nearest place: it doubles the digits, from 1e-3 to rounding.
     constexpr int samples = 100, steps = 3;
     const Ground ground(surface);
     bool is_near = true;
@@ -135,7 +137,9 @@ Handle(Geom_BSplineCurve)
     border_above(const Handle(Geom2d_Curve) & curve, const Handle(Geom_BSplineSurface) & surface,
                  double low, double high)
 {
-    constexpr double exact = 1e-9, past = 1e-8;  // of the length of the curve
+    // Relative to the length of the curve. Measured: a seam of an IGES file in inches was 4e-9
+    // longer than its surface (OpenCASCADE 7.8).
+    constexpr double exact = 1e-9, past = 1e-8;
     const Vector2 from = place_at(curve, low), to = place_at(curve, high);
     const double length = (to - from).norm();
     for (const double share : {0.2, 0.5, 0.9})

@@ -75,7 +75,7 @@ void PlateSystem::tie(const std::array<CubicBasis::Row, 2>& low,
 
 Eigen::MatrixXd PlateSystem::solution() const
 {
-    constexpr int refinements = 2;
+    constexpr int refinements = 2;  // chosen: they remove the error of a shift
     // What is hardly known at all may have no pivot left beside what is known well.
     for (const double share : {0.0, 1e-14, 1e-11, 1e-8})
     {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/writing/body_measurer.h"
+
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/cad/meshing/occt_surface.h"
 
@@ -21,9 +23,8 @@ namespace sheetmorph::cad
 namespace
 {
 
-constexpr double degrees = 57.29577951308232;
-// The same as where tangents are made to agree.
-constexpr double smooth = 0.8;
+constexpr double degrees = 1.0 / degree;
+constexpr double smooth = 0.8;  // degrees; from ShapeCarrier::is_smooth_at()
 
 // The outward normal of a face where an edge is at a parameter; none at a pole.
 std::optional<Vector3> normal_at(const TopoDS_Edge& edge, const TopoDS_Face& face, double share)
@@ -233,7 +234,7 @@ void BodyMeasurer::measure_kinks(CadMeasures& found) const
 
 void BodyMeasurer::measure_cylinders(CadMeasures& found) const
 {
-    constexpr double exact = 1e-5;  // as the reader recognises them, mm
+    constexpr double exact = 1e-5;  // mm; from part_mesher.cpp, as the reader recognises them
     for (int f = 0; f < found.faces; ++f)
     {
         // IGES and other systems draw cylinders as splines and surfaces of revolution.

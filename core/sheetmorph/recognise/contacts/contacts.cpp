@@ -19,7 +19,7 @@ namespace sheetmorph::recognise
 namespace
 {
 
-constexpr double weld = 1e-7;  // as FeatureTolerances::weld
+constexpr double weld = FeatureTolerances{}.weld;  // from there
 
 // Largest and smallest gap that is ever proposed, relative to the size of the assembly. Joined
 // sheets are at most farthest_joined mm apart, however large the assembly is.

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -191,7 +192,7 @@ bool ContactCollector::is_all_bolts(const FoundContact& contact) const
     const auto is_near = [&](const Vector3& point)
     {
         for (const FoundContact& bolt : bolts->second)
-            if ((point - bolt.center).norm() <= 0.5 * bolt_reach * bolt.size / 1.4142)
+            if ((point - bolt.center).norm() <= 0.5 * bolt_reach * bolt.size / std::sqrt(2.0))
                 return true;
         return false;
     };

@@ -29,10 +29,8 @@ constexpr double along_axis = 0.98;
 constexpr double at_end = 0.1;
 constexpr double least_flat = 0.5;
 
-// on_cylinder: largest distance of the strip's vertices from the cylinder, relative to its radius.
-// along_surface: smallest cosine between a facet's normal and the cylinder's (30 degrees).
+// Largest distance of the strip's vertices from the cylinder, relative to its radius.
 constexpr double on_cylinder = 1e-3;
-constexpr double along_surface = 0.866;
 
 // Criteria for the two skins of one bend: cosine between their axes; distance of the axes, relative
 // to the thickness; difference of the turns, relative to the larger turn; overlap along the axis,

@@ -185,7 +185,7 @@ std::vector<Feature> find_embosses(const FacetGraph& graph,
             labels[t] = 0;
         const WallTracer tracer(graph, labels, {});
         for (const RegionLoop& loop : region_loops(graph, labels))
-            if (loop.region == 0 && loop.inwards < -0.35 && !loop.is_free()
+            if (loop.region == 0 && loop.inwards < -clearly_inwards && !loop.is_free()
                 && loop.area >= tolerances.smallest_area * graph.total_area())
                 if (auto raised = raised_inside(graph, loop, tracer.behind(loop)))
                     found.push_back(std::move(*raised));

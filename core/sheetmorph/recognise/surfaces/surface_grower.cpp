@@ -26,9 +26,10 @@ constexpr std::size_t fewest_triangles = 6;
 constexpr Surface::Kind curved[] = {Surface::Kind::cylinder, Surface::Kind::sphere,
                                     Surface::Kind::cone};
 
-// turning: mean square difference of normals from which a patch is curved. left_over: share of the
-// scatter that remains in smoothed normals.
-constexpr double turning = 0.002;
+// Mean square difference of normals from which a patch is curved; from the fit of surfaces.
+constexpr double turning = fitting::SpreadLimits{}.turning;
+
+// Share of the scatter that remains in smoothed normals.
 constexpr double left_over = 0.5;
 
 // Limit on the alternation of fitting and growing.
@@ -51,9 +52,6 @@ void take(SurfaceRegion& region, std::vector<int> triangles)
     region.convergence.miss = static_cast<double>(changed.size());
     region.convergence.is_converged = changed.empty();
 }
-
-// Cosine of the largest angle between a triangle and its curved surface (30 degrees).
-constexpr double along_surface = 0.866;
 
 // A curved region must cover this many of 36 directions around its axis (30 degrees).
 constexpr int directions = 36;

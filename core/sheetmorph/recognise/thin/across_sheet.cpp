@@ -22,9 +22,6 @@ namespace
 // Tolerance of equal distances, relative to the distance plus a thousandth of the size.
 constexpr double equally_near = 1e-7;
 
-// A ray that ends within this many thicknesses has reached the other skin of its own sheet.
-constexpr double farthest_skin = 1.8;
-
 // Offsets of ray origins towards the facet's centroid, in thicknesses: one close to the point, one
 // beyond the corner of a sharp fold. At the outer edge of a fold, the other flange lies behind the
 // point instead of the other skin.

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/recognise/thin/inward_probes.h"
 
 namespace sheetmorph::recognise
 {
 
-//! A sharper bend separates a skin from a wall, radians (30 degrees).
-constexpr double crease = 0.5235987755982988;
+//! A sharper bend separates a skin from a wall, radians.
+constexpr double crease = 30.0 * degree;
 
 //! A step in a skin up to this many thicknesses is a ledge and not a wall.
 constexpr double highest_ledge = 0.05;

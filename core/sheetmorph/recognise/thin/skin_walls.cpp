@@ -6,6 +6,7 @@
 #include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/mesh/search/picking.h"
 #include "sheetmorph/mesh/topology/submesh.h"
+#include "sheetmorph/recognise/thin/thin_solid.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,6 @@ namespace
 {
 
 constexpr double reach_of_walls = 1.6;
-constexpr double thickest_of_skin = 1.8;  // above sqrt(3): the corner of a folded box
 
 // A facet whose inward normal deviates by more than 60 degrees from the direction to the other skin
 // runs along that direction.
@@ -172,7 +172,7 @@ private:
     {
         result_.side[at(facet)] = sign;
         const mesh::Hit other = nearest(facet, -sign, graph_.centroid(facet));
-        result_.is_lump[at(facet)] = other.distance > thickest_of_skin * thickness(facet);
+        result_.is_lump[at(facet)] = other.distance > farthest_skin * thickness(facet);
     }
 
     // Keeps only the ledges whose facets are all low, because every wall has low facets along its

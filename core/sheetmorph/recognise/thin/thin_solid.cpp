@@ -19,9 +19,6 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// In typical thicknesses. A ray that ends beyond this has not reached the other skin.
-constexpr double farthest_skin = 1.8;
-
 // Criteria for the main skin of a component, in order; the first that differs decides.
 struct Candidate
 {

@@ -9,6 +9,11 @@
 namespace sheetmorph::recognise
 {
 
+//! Distance through the material, in thicknesses, beyond which the opposite facet is not the other
+//! skin of the same sheet. From geometry: at the corner of a folded box, where three sheets meet,
+//! the two skins are sqrt(3) = 1.73 thicknesses apart.
+constexpr double farthest_skin = 1.8;
+
 //! Where a facet or a vertex of a thin solid lies.
 enum class SolidSide : char
 {

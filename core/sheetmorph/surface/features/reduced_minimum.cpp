@@ -17,7 +17,8 @@ namespace
 {
 
 constexpr int none = -1;
-// mathematics.md, section 4: Newton takes 4 to 12 steps; chosen far above.
+// Measured with a prototype on a strip with three holes: Newton takes 4 to 12 steps. Chosen far
+// above.
 constexpr int most_steps = 100;
 
 // Radians, or relative to the size of the feature. From rounding of a rotation: 50 units of 2e-16.
