@@ -17,7 +17,7 @@ namespace
 {
 
 // Minimum share of a piece's surface that belongs to sheets. The rest is small bodies that touch
-// it.
+// it. Chosen: a piece is a sheet if most of it is.
 constexpr double least_share = 0.5;
 
 // Pairs (local thickness of a skin in mm, area it represents in mm^2), ascending.

@@ -18,20 +18,22 @@ namespace
 constexpr int none = -1;
 
 // Of a flange: largest width and smallest free border, relative to the length of its fold; largest
-// area, relative to the part.
+// area, relative to the part. Chosen: a flange is a narrow strip along a fold, free on its far
+// side, and less than a third of the part; otherwise it is a wall of the part.
 constexpr double widest = 0.6;
 constexpr double least_free = 0.8;
 constexpr double largest = 0.35;
 
-// A sharper bend (radians) is a fold even if it is below the crease angle: in a coarse mesh, few
-// rows of facets form a bend.
+// A sharper bend (radians, 17 degrees) is a fold even if it is below the crease angle. From
+// geometry: in a coarse mesh, five rows of facets form a right angle.
 constexpr double folded = 0.3;
 
-// Minimum area of a plane that may have beads, relative to the part's area.
+// Minimum area of a plane that may have beads, relative to the part's area. Chosen: ten times
+// FeatureTolerances::smallest_area, which a bead needs itself.
 constexpr double least_base = 0.04;
 
-// Minimum share of its outline that a raised region covers, seen from above; with less it is a
-// hole.
+// Minimum share of its outline that a raised region covers, seen from above. Chosen: with less than
+// a half, most of it is open and it is a hole.
 constexpr double least_cover = 0.5;
 
 // A region between creases and bends.

@@ -19,10 +19,11 @@ namespace sheetmorph::recognise
 namespace
 {
 
+// In thicknesses; from skin_cells.cpp: a wall at the edge of a fold reaches sqrt(2) of them.
 constexpr double reach_of_walls = 1.6;
 
 // A facet whose inward normal deviates by more than 60 degrees from the direction to the other skin
-// runs along that direction.
+// runs along that direction. Chosen: a chamfer by 45 degrees belongs to its skin.
 constexpr double across = 0.5;
 
 constexpr int on_both = 2;

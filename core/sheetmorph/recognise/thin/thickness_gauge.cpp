@@ -17,7 +17,8 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// In thicknesses. At rest, a nearest point outside this range is not on the opposite skin.
+// In thicknesses. At rest, a nearest point outside the range up to farthest_skin is not on the
+// opposite skin. Chosen: nearer points are on the wall of a hole or on a ledge.
 constexpr double nearest = 0.3;
 
 std::vector<char> flags(const mesh::TriangleMesh& mesh, const std::vector<VertexIds>& pieces)
