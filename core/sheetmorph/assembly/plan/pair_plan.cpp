@@ -19,7 +19,7 @@ namespace sheetmorph::assembly
 namespace
 {
 
-constexpr double degrees = 1.0 / degree;
+constexpr double degrees = 1.0 / degree;  // from geometry
 
 // Relative to the smaller radius, and degrees: beyond these, features do not share an axis. Chosen:
 // the axis of a circle fitted to a coarse rim may be off by as much although it is the same.

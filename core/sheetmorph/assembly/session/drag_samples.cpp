@@ -19,7 +19,7 @@ namespace
 // the rotation that more than two handles may have.
 constexpr int passed_poses = 128;
 
-constexpr double farthest_passed = 75.0 * degree;
+constexpr double farthest_passed = 75.0 * degree;  // from there
 
 // With a plane of symmetry the pose of one of two mirrored handles tells that of the other.
 std::set<std::string> mirrored(const PreparedAssembly& prepared)

@@ -23,7 +23,7 @@ namespace sheetmorph::cad
 namespace
 {
 
-constexpr double degrees = 1.0 / degree;
+constexpr double degrees = 1.0 / degree;  // from geometry
 constexpr double smooth = 0.8;  // degrees; from ShapeCarrier::is_smooth_at()
 
 // The outward normal of a face where an edge is at a parameter; none at a pole.

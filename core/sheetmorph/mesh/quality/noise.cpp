@@ -37,8 +37,8 @@ constexpr Eigen::Index fewest_neighbours = 9;
 // w^2 / (1 + w^2)^2, so points may be seven times as long as wide.
 constexpr double slimmest = 0.02;
 
-// Share of a vertex in its own fitted height. Its residual is divided by the root of the rest, so
-// it grows by 2.2 at the limit.
+// Share of a vertex in its own fitted height. Chosen: its residual is divided by the root of the
+// rest, so it grows by 2.2 at the limit.
 constexpr double most_leverage = 0.8;
 
 // A smaller scatter relative to the median edge length counts as none. From geometry: on a cylinder

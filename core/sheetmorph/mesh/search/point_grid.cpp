@@ -49,7 +49,7 @@ PointGrid::PointGrid(const Points& points, const VertexIds& chosen, double side)
 // points fall in the last cell.
 PointGrid::Cell PointGrid::cell_of(const Vector3& place) const
 {
-    constexpr double last = 1e15;
+    constexpr double last = 1e15;  // from doubles: below 2^53
     const Vector3 cell = ((place - low_) / side_).cwiseMax(-1.0).cwiseMin(last);
     return {static_cast<std::int64_t>(std::floor(cell.x())),
             static_cast<std::int64_t>(std::floor(cell.y())),

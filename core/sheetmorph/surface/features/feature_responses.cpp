@@ -39,7 +39,7 @@ constexpr double unfelt = 1e-10;
 // Relative to the size. From mesh::exactness(): a shorter shift is rounding.
 constexpr double no_shift = 1e-12;
 
-// Relative to the stiffest rotation, of the factor's diagonal: its square, 1e-10, is `unfelt`.
+// Relative to the stiffest rotation, of the factor's diagonal. From `unfelt`, which is its square.
 constexpr double least_pivot = 1e-5;
 
 }  // namespace
