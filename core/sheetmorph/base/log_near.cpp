@@ -39,6 +39,7 @@ double smooth_step(double value, double low, double high)
 Matrix3 left_jacobian(const Vector3& log)
 {
     const double angle = 2.0 * log.norm();
+    // From the series: the next term, half the angle, is below the accuracy of 1e-9.
     if (angle < 1e-9)
         return Matrix3::Identity();
     const Vector3 axis = log * (2.0 / angle);
@@ -66,6 +67,9 @@ Vector3 log_near(const Matrix3& rotation, const Vector3& reference)
 {
     const Vector3 shortest = log_from_rotation(rotation);
     // A rotation near a whole turn has no axis to speak of, and its logarithm none nearby.
+    // Half angles. Chosen: the log is exact for a reference below half a turn (0.5 pi), or a
+    // rotation more than 126 degrees (0.35 pi) from a whole turn; the blends are wide enough to be
+    // smooth.
     const double turned = smooth_step(reference.norm(), 0.5 * pi, 0.6 * pi);
     const double axisless = smooth_step(-shortest.norm(), -0.35 * pi, -0.2 * pi);
     const double share = turned * axisless;

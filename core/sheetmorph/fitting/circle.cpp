@@ -58,6 +58,7 @@ Stadium algebraic_circle(const PlanePoints& points)
 Vector3 oriented_axis(const Vector3& normal, const Points& offsets)
 {
     const double sense = normal.dot(doubled_area(offsets));
+    // Chosen: points of an arc in any order enclose about nothing; their rounding is 1e-16.
     if (std::abs(sense) > 1e-6 * offsets.squaredNorm())
         return sense > 0.0 ? normal : Vector3(-normal);
     Eigen::Index largest = 0;

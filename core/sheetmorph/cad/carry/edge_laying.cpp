@@ -15,14 +15,13 @@ void ShapeCarrier::lay_on_faces(CarriedEdge& edge)
 {
     if (edge.is_degenerated)
         return;
-    // mm, from OpenCASCADE (Precision::Confusion): no reader gives an edge a smaller tolerance. A
-    // gap a tenth smaller needs no wave, because it stays below whatever the reader's rounding
-    // adds.
-    constexpr double exact = 1e-7, unseen = 0.9e-7;
-    // The wave is 3 % higher than the largest gap, chosen as in measure_edge(): 2 % for gaps
-    // between samples. It is at least 2e-6 mm high, twice the grain of the coordinates in a STEP
-    // file (CarryTolerances::grain), so that the reader's rounding leaves it.
-    constexpr double more = 1.03, least = 2e-6;
+    // mm: the smallest tolerance of an edge, from OpenCASCADE (Precision::Confusion). The wave is 3
+    // % higher than the largest gap, chosen as in measure_edge(): 2 % for gaps between samples.
+    constexpr double exact = 1e-7, more = 1.03;
+    constexpr double unseen = 0.9e-7;  // from `exact`: no reader gives an edge a smaller tolerance
+    // mm, from CarryTolerances::grain: twice the grain of coordinates in a STEP file, so that the
+    // reader's rounding leaves the wave.
+    constexpr double least = 2e-6;
     double largest = 0.0;
     EdgeOnFace* worst = nullptr;
     for (EdgeOnFace& use : edge.uses)

@@ -488,6 +488,7 @@ void ShapeCarrier::run(const Progress& progress)
     for (CarriedEdge& edge : edges_)
         if (edge.uses.size() == 2 && edge.uses[0].face != edge.uses[1].face && !edge.is_degenerated)
         {
+            // Chosen: three places decide, away from the ends, where corners may be cut.
             edge.is_smooth = true;
             for (const double share : {0.1, 0.5, 0.9})
                 edge.is_smooth =

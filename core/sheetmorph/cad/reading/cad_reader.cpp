@@ -30,6 +30,8 @@ constexpr const char* repair = "repair it in the CAD system and export it again"
 void check(const CadMeshing& meshing)
 {
     for (const double length : {meshing.edge, meshing.deflection})
+        // Chosen: a length of a million kilometres is a mistake. Angles: up to just below a right
+        // angle.
         if (!(length >= 0.0) || length > 1e12)
             throw InvalidInput("a length of the meshing is out of range", "give 0 to 1e12 mm");
     if (!(meshing.angle >= 0.01 && meshing.angle <= 1.5))

@@ -168,6 +168,7 @@ bool RimFinder::has_merged(const Feature& feature, const HoleWall& wall)
     Feature& first = features_[*other];
     const double depth = std::abs((feature.center - first.center).dot(first.axis));
     const std::size_t before = first.rims.size();
+    // Chosen: rims of one radius differ by rounding, and the first one stays.
     const bool is_narrower = feature.width < (1.0 - 1e-6) * first.width;
     if (is_narrower || (first.kind == FeatureKind::hole && feature.kind != FeatureKind::hole))
     {

@@ -140,7 +140,7 @@ std::optional<Feature> raised_inside(const FacetGraph& graph, const RegionLoop& 
     if (wall.triangles.empty() || wall.leads_out || wall.covered < least_cover)
         return std::nullopt;
     const fitting::Outline outline =
-        fitting::fit_outline(graph.mesh().points()(loop.vertices, Eigen::indexing::all), 0.1);
+        fitting::fit_outline(graph.mesh().points()(loop.vertices, Eigen::indexing::all));
     Feature feature;
     feature.kind = raised_kind(outline.length, outline.width);
     feature.center = outline.center;

@@ -102,6 +102,7 @@ std::vector<SurfaceRegion> SurfaceGrower::found()
         std::optional<SurfaceRegion> region;
         if (seed.misfit >= 0.0)
             region = curved_at(seed.triangle);
+        // Chosen: bends are narrow, so a quarter of the smallest area of a plane is enough.
         if (region && region->area >= clearly_larger * plane.area
             && region->area >= 0.25 * smallest)
             keep(std::move(*region));
@@ -311,6 +312,7 @@ void SurfaceGrower::better(std::optional<SurfaceRegion> region,
     const double size = best ? static_cast<double>(region->triangles.size())
                                    / static_cast<double>(best->triangles.size())
                              : 2.0;
+    // Chosen: sizes within 5 to 10 % are similar.
     if (size > 1.1 || (size > 0.95 && bulge(*region) < clearly_closer * bulge(*best)))
         best = std::move(region);
 }

@@ -27,6 +27,7 @@ struct Candidate
 
     bool is_better_than(const Candidate& other) const
     {
+        // Chosen: areas that differ by less are those of symmetric skins.
         const double rounding = 1e-9 * (area + other.area);
         if (std::abs(steps - other.steps) > rounding)
             return steps < other.steps;

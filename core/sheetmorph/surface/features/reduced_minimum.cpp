@@ -73,6 +73,7 @@ Eigen::VectorXd scales(const Expansion& at)
     const double largest = stiff.size() > 0 ? stiff.maxCoeff() : 0.0;
     return stiff.unaryExpr(
         [largest](double value)
+        // From doubles: a hundredth of the rounding of the largest stiffness.
         { return value > 1e-18 * largest && value > 0.0 ? 1.0 / std::sqrt(value) : 0.0; });
 }
 

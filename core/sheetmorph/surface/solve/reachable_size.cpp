@@ -132,6 +132,7 @@ Limit limit(const Excess& excess)
         const double tried = 0.5 * (reached + refused);
         (is_reached(excess, tried) ? reached : refused) = tried;
     }
+    // Four digits, for the message.
     const double unit = std::pow(10.0, std::floor(std::log10(std::abs(reached))) - 3.0);
     const double towards_rest =
         reached < refused ? std::floor(reached / unit) * unit : std::ceil(reached / unit) * unit;

@@ -268,6 +268,8 @@ private:
             shell_.tangent(bending_, shell_.eased(bending_, 0.0), 0.0);
         const StepProblem problem(tangent, shell_, task_.targets);
         bool is_factorised = false;
+        // Chosen: from a shift that only rounding needs (1e-10) in steps of 100 to a hundredth of
+        // the diagonal.
         for (double shift = 0.0; !is_factorised && shift < 1.0;
              shift = std::max(1e-10, 100.0 * shift))
             is_factorised = problem.factorise(factor_, shift);
