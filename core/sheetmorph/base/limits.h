@@ -10,7 +10,7 @@ namespace sheetmorph
 //! 1.8e308: squares of areas (1e120) and of volumes (1e180) stay finite.
 constexpr double largest_number = 1e30;
 
-//! Whether all entries are finite numbers and small enough to compute with.
+//! Whether all entries are finite and small enough to compute with.
 template <typename Derived>
 bool are_numbers(const Eigen::MatrixBase<Derived>& entries)
 {

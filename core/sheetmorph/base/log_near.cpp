@@ -27,15 +27,15 @@ constexpr double rounding_tilt = 1e-12;
 // Newton takes 16 of its 20 steps and is exact to 3e-14; at s = 1e-5 it needs 22.
 constexpr double nearly_flat = 2e-4;
 
-// 0 below `low`, 1 above `high`, without a kink between.
+// A smooth step: 0 below `low`, 1 above `high`.
 double smooth_step(double value, double low, double high)
 {
     const double t = std::fmin(1.0, std::fmax(0.0, (value - low) / (high - low)));
     return t * t * (3.0 - 2.0 * t);
 }
 
-// d(rotation vector of the product) / d(log), for logs of half the angle on both sides:
-// exp(log + d) = exp(J d) exp(log).
+// d(rotation vector of the product) / d(log), where both logs are half angles: exp(log + d) = exp(J
+// d) exp(log).
 Matrix3 left_jacobian(const Vector3& log)
 {
     const double angle = 2.0 * log.norm();
@@ -48,7 +48,7 @@ Matrix3 left_jacobian(const Vector3& log)
            + cosine * cross_matrix(axis);
 }
 
-// One damped step from the reference: continuous in the rotation wherever its axis is.
+// One damped step from the reference. It is continuous in the rotation wherever the axis is.
 Vector3 first_order_log(const Matrix3& rotation, const Vector3& reference)
 {
     const double half = reference.norm();
@@ -66,10 +66,9 @@ Vector3 first_order_log(const Matrix3& rotation, const Vector3& reference)
 Vector3 log_near(const Matrix3& rotation, const Vector3& reference)
 {
     const Vector3 shortest = log_from_rotation(rotation);
-    // A rotation near a whole turn has no axis to speak of, and its logarithm none nearby.
-    // Half angles. Chosen: the log is exact for a reference below half a turn (0.5 pi), or a
-    // rotation more than 126 degrees (0.35 pi) from a whole turn; the blends are wide enough to be
-    // smooth.
+    // A rotation near a whole turn has an undetermined axis, and no logarithm nearby. Half angles.
+    // Chosen: the log is exact for a reference below half a turn (0.5 pi), or a rotation more than
+    // 126 degrees (0.35 pi) from a whole turn. The blends are wide enough to be smooth.
     const double turned = smooth_step(reference.norm(), 0.5 * pi, 0.6 * pi);
     const double axisless = smooth_step(-shortest.norm(), -0.35 * pi, -0.2 * pi);
     const double share = turned * axisless;

@@ -12,8 +12,8 @@ namespace sheetmorph
 namespace
 {
 
-// The optimal rotation of a covariance matrix; where the points leave it undetermined
-// (all on a line, or all in one place), the smallest turn of the optimal ones.
+// The optimal rotation for a covariance matrix. If the points do not determine it (all on a line,
+// or all in one place), the smallest of the optimal rotations.
 Matrix3 rotation_of_covariance(const Matrix3& covariance)
 {
     const Eigen::JacobiSVD<Matrix3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);

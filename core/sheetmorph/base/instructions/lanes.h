@@ -36,7 +36,7 @@ struct LaneFunctions
 
     static HWY_INLINE void store(Lanes value, double* to) { hn::StoreU(value, Doubles(), to); }
 
-    // Lane by lane entry `k` of each of `count` rows, from row `first` on.
+    // Entry `k` of each of `count` rows, from row `first` on, one row per lane.
     template <int count = width, int first = 0>
     static HWY_INLINE hn::Vec<hn::FixedTag<double, count>> gathered(
         const double* const (&rows)[width], int k)
@@ -51,7 +51,7 @@ struct LaneFunctions
 
     static HWY_INLINE bool any(Mask held) { return !hn::AllFalse(Doubles(), held); }
 
-    // \param lanes  `width` numbers, zero where the mask does not hold
+    // \param lanes  (width); receives 1 where the mask is set, else 0
     static HWY_INLINE void store(Mask held, double* lanes)
     {
         store(hn::IfThenElseZero(held, filled(1.0)), lanes);

@@ -32,7 +32,7 @@ struct Kernel : LaneAngles
     // more accurate.
     static constexpr double surely_told = 0.01;
 
-    // Lanes beyond `count` are the first row again.
+    // Lanes beyond `count` repeat the first row.
     static HWY_INLINE Lanes3 loaded(const double* rows, int count)
     {
         const double* row[width];
@@ -57,7 +57,7 @@ struct Kernel : LaneAngles
                               1.0 / 362880.0, -1.0 / 5040.0, 1.0 / 120.0, -1.0 / 6.0, 1.0});
     }
 
-    // cos(r), likewise.
+    // cos(r), for the same argument.
     static HWY_INLINE Lanes cosine(Lanes z)
     {
         return polynomial(
@@ -67,8 +67,8 @@ struct Kernel : LaneAngles
                 -1.0 / 720.0, 1.0 / 24.0, -0.5, 1.0});
     }
 
-    // R - 1 = 2 s^2 (v v^T - |v|^2) + 2 s c [v], s = sin|v| / |v|, c = cos|v|: half turns off |v|
-    // change the signs of both.
+    // R - 1 = 2 s^2 (v v^T - |v|^2) + 2 s c [v] with s = sin|v| / |v| and c = cos|v|. Subtracting
+    // half turns from |v| changes the signs of both.
     static HWY_INLINE void turn(const Lanes3& v, double (&changes)[9][width])
     {
         const Lanes xx = v.x * v.x, yy = v.y * v.y, zz = v.z * v.z;
@@ -102,7 +102,7 @@ struct Kernel : LaneAngles
         }
     }
 
-    // \returns lanes whose logs are told; the others are left to log_near()
+    // \returns lanes with a valid log; log_near() computes the others
     static HWY_INLINE Mask tell(const LaneMatrices& rotations, const Lanes3& reference,
                                 double (&logs)[3][width])
     {
