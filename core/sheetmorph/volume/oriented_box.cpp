@@ -35,7 +35,8 @@ bool agree(double larger, double smaller, double largest)
     return larger <= no_extent * largest || larger - smaller <= equal_values * larger;
 }
 
-// A direction in the plane across `normal`: the first axis of the fallback that is not steep to it.
+// A direction perpendicular to `normal`: the first axis of the fallback that is not steep to the
+// plane, projected.
 Vector3 across(const Vector3& normal, const Matrix3& fallback)
 {
     for (int k = 0; k < 3; ++k)
@@ -47,7 +48,7 @@ Vector3 across(const Vector3& normal, const Matrix3& fallback)
     return normal.unitOrthogonal();
 }
 
-// Signs do not change the box; these make the frame the same from run to run and right-handed.
+// Signs do not change the box. This choice makes the frame right-handed and the same in every run.
 Matrix3 with_signs(Matrix3 axes, const Matrix3& fallback)
 {
     for (int k = 0; k < 3; ++k)

@@ -78,7 +78,7 @@ void run_tasks(const std::vector<Task>& tasks, const Progress& progress)
         run_in_turn(tasks, progress);
         return;
     }
-    if (!pool.can_watch())  // inside another task: that one reports, these only check for cancellation
+    if (!pool.can_watch())  // inside another task: that one reports
     {
         pool.run(count, [&](Eigen::Index k) { tasks[static_cast<std::size_t>(k)].work(progress); });
         return;

@@ -21,8 +21,8 @@ namespace
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Polar factors of `width` matrices at once. Which ones stand beside each other decides nothing,
-// to the bit.
+// Polar factors of `width` matrices at once. The results do not depend, to the bit, on the grouping
+// of the matrices.
 struct LaneRotations : sheetmorph::HWY_NAMESPACE::LaneFunctions
 {
     // Matrices that need more steps, or are flatter, go to polar_rotation(), which takes over at
@@ -35,7 +35,7 @@ struct LaneRotations : sheetmorph::HWY_NAMESPACE::LaneFunctions
 
     using Matrices = sheetmorph::HWY_NAMESPACE::LaneMatrices;
 
-    // One step of Newton's method, (m + m^-T) / 2, where it is not settled yet.
+    // One step of Newton's method, (m + m^-T) / 2, for the lanes that have not converged.
     static HWY_INLINE void step(Matrices& m, Mask& is_open, Mask& is_lost)
     {
         Matrices cofactors;
@@ -67,7 +67,7 @@ struct LaneRotations : sheetmorph::HWY_NAMESPACE::LaneFunctions
         is_open = hn::AndNot(hn::Or(is_lost, change < filled(settled)), is_open);
     }
 
-    // The polar factors of those lanes of m go to `matrices`, the others stay as they are there.
+    // Stores the polar factors of these lanes in `matrices`; the others do not change.
     static HWY_INLINE void store_polar(const Matrices& given, Mask asked, Matrix3* matrices,
                                        int count)
     {
@@ -92,7 +92,7 @@ struct LaneRotations : sheetmorph::HWY_NAMESPACE::LaneFunctions
     }
 };
 
-// A call of turn_rings().
+// Arguments of turn_rings().
 struct RingWork
 {
     const RingBatch& batch;
@@ -155,7 +155,7 @@ struct Kernel : LaneRotations
         return hn::PromoteTo(Doubles(), hn::PromoteTo(integers, hn::LoadU(bytes, numbers)));
     }
 
-    // What the references leave unexplained of the rings' edges and normals.
+    // The difference between the rings and their references' rotations, for edges and normals.
     static HWY_INLINE Mask unexplained(const RingWork& work, int begin, const Matrices& reference,
                                        Matrices& sum)
     {
@@ -188,7 +188,7 @@ struct Kernel : LaneRotations
         return left_over > filled(0.0);
     }
 
-    // What is unexplained of the normal, times its weight.
+    // The difference for the normal, times its weight.
     static HWY_INLINE Vectors left_of_normal(const RingBatch& batch, int begin,
                                              const Vectors& explained, const Vectors& area)
     {
