@@ -10,7 +10,7 @@ namespace sheetmorph::volume
 //! weights.
 struct GrazedTriangle
 {
-    bool on_surface = false;            //!< whether the point lies on the triangle, within `tolerance`
+    bool on_surface = false;            //!< whether the point lies on the triangle
     Vector3 weights = Vector3::Zero();  //!< unnormalised; (2.14) if the point lies on it
 };
 

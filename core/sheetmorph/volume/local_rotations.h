@@ -15,7 +15,7 @@ struct LocalRotations
 {
     std::vector<Matrix3> matrices;  //!< k rotations
     Points logs;                    //!< (k, 3), each near its reference
-    Points tilts = Points(0, 3);    //!< (k, 3) parts that logs miss (tilt_beyond()); no rows if all are zero
+    Points tilts = Points(0, 3);    //!< (k, 3) of tilt_beyond(); no rows: zeros
 };
 
 //! Measures the rotations of the one-rings of some vertices: polar factors of the maps from the

@@ -24,7 +24,7 @@ struct KernelMesh
     //! Data that make the weights affine to the last digit; see finish() of the kernel.
     double centre[3] = {0.0, 0.0, 0.0};
     std::vector<double> arms;    //!< 3 per vertex: from the centre
-    std::vector<double> affine;  //!< 3 per vertex: their product with a vector is the smallest weights that give it
+    std::vector<double> affine;  //!< 3 per vertex: smallest weights per unit of a vector
 
     int vertex_count() const { return static_cast<int>(vertices.size() / 3); }
     int edge_count() const { return static_cast<int>(edge_ends.size() / 2); }
@@ -59,8 +59,8 @@ struct KernelBlock
     };
 
     LaneVectors points;                        //!< one entry
-    LaneVectors unit;                          //!< per vertex: direction from the point to the vertex
-    LaneVectors cross;                         //!< per edge: cross product of the directions to its ends
+    LaneVectors unit;                          //!< per vertex: direction from the point
+    LaneVectors cross;                         //!< per edge: product of its directions
     std::vector<LaneValues> inverse_distance;  //!< per vertex
     std::vector<LaneValues> half_angle_ratio;  //!< per edge: theta / (2 sin theta)
     std::vector<LaneValues> weights;           //!< per vertex; after add_up(): times the distance

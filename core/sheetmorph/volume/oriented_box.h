@@ -12,7 +12,7 @@ struct OrientedBox
     Matrix3 axes = Matrix3::Identity();      //!< columns: unit, right-handed
     Vector3 centre = Vector3::Zero();        //!< mm
     Vector3 half_extents = Vector3::Zero();  //!< mm, all > 0
-    Vector3 widened_by = Vector3::Zero();  //!< mm: part of each half extent that margin and thickness add
+    Vector3 widened_by = Vector3::Zero();  //!< mm: added by margin and thickness
 };
 
 //! How a box gets room for a control mesh.

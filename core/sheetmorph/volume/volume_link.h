@@ -84,7 +84,7 @@ private:
     struct Fit
     {
         numerics::DenseCholesky factor;
-        numerics::Weights from_inputs;  //!< (m, inputs): L^-1 times the right-hand sides of the inputs
+        numerics::Weights from_inputs;  //!< (m, inputs): L^-1 times right-hand sides
 
         Points displacements(const Points& inputs) const;
     };

@@ -56,7 +56,7 @@ FrontSolver::FrontSolver(FrontList factor)
     std::iota(shares_.front().begin(), shares_.front().end(), 0);
 }
 
-// Large subtrees are opened from the root down; what is left goes to the share with least.
+// Opens large subtrees from the root down, and gives each remaining one to the smallest share.
 void FrontSolver::share_subtrees()
 {
     const auto count = static_cast<int>(factor_.fronts.size());
@@ -96,7 +96,7 @@ void FrontSolver::share_subtrees()
     }
 }
 
-// What fronts take off rows above all shares goes to `above`, if there is one.
+// Contributions of fronts to rows above all shares go to `above`, if it exists.
 void FrontSolver::forward(const Nodes& nodes, Groups& groups, Groups* above) const
 {
     std::vector<double> scratch(room_of(groups));

@@ -10,12 +10,12 @@ namespace sheetmorph::numerics
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-//! S^T M S of a whole symmetric matrix M, S having one 1 a row at most: rows of one unknown are
-//! added up, rows of none are left out.
+//! S^T M S of a whole symmetric matrix M, where S has at most one entry 1 per row: rows of one
+//! unknown are added, rows without an unknown are left out.
 struct MergedMatrix
 {
     std::shared_ptr<const SparseMatrix> whole;  //!< M (n, n), both triangles
-    std::vector<int> unknown_of;                //!< (n) 0 .. count - 1; negative: none
+    std::vector<int> unknown_of;                //!< (n) 0 .. count - 1; negative for no unknown
     int count = 0;
 };
 
