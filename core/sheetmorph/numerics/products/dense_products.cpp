@@ -32,7 +32,7 @@ struct Tile : sheetmorph::HWY_NAMESPACE::LaneFunctions
     const double* panel;  // (depth, 2 * width)
     Eigen::Index depth;
     double factor;
-    double* result[tile_rows];  // whole tiles are added here, others left in `sums`
+    double* result[tile_rows];  // whole tiles are added here, others stay in `sums`
     bool is_whole;
     double sums[tile_rows][2 * width];
 
@@ -64,13 +64,13 @@ struct Tile : sheetmorph::HWY_NAMESPACE::LaneFunctions
     }
 };
 
-// Products with three columns: the sums of wider registers take longer than they save.
+// Products with three columns. The final sums of wider registers would take longer than they save.
 struct ThreeColumns
 {
     using Narrow = hn::CappedTag<double, 4>;
     static constexpr Eigen::Index width = hn::MaxLanes(Narrow());
 
-    // The sum and all lanes, in their order.
+    // The sum plus all lanes, in order.
     template <class D>
     static HWY_INLINE double added(double sum, D lanes, hn::Vec<D> value)
     {
@@ -105,7 +105,7 @@ struct ThreeColumns
     }
 };
 
-// Rows first .. of `right` side by side, zeros where there are none.
+// Packs rows of `right`, from `first` on, side by side; fills up with zeros.
 void pack(const WeightsView& right, Eigen::Index first, int columns, double* panel)
 {
     std::fill(panel, panel + columns * right.cols(), 0.0);
@@ -115,7 +115,7 @@ void pack(const WeightsView& right, Eigen::Index first, int columns, double* pan
             panel[columns * k + c] = right(first + c, k);
 }
 
-// In tiles of 2 * width columns.
+// Multiplies in tiles of 2 * width columns.
 void add_product_widest(const WeightsView& left, const WeightsView& right, double factor,
                         WeightsTarget& result)
 {
@@ -174,7 +174,7 @@ void add_product(const WeightsView& left, const WeightsView& right, double facto
 void add_lower_product(const WeightsView& left, const WeightsView& right, double factor,
                        WeightsTarget result)
 {
-    constexpr Eigen::Index strip = 48;  // whole tiles of any width
+    constexpr Eigen::Index strip = 48;  // from the tiles: a multiple of every width
     for (Eigen::Index j = 0; j < result.cols(); j += strip)
     {
         const Eigen::Index wide = std::min(strip, result.cols() - j), high = result.rows() - j;

@@ -31,7 +31,7 @@ constexpr int panel = 8;  // rows; from the widest register, eight doubles
 constexpr float unit_share = 1.0F / (1LL << 39);
 constexpr std::int32_t exponent_bits = 0x7f800000;
 
-//! The panels of a matrix; without the remainders of the entries where they need not be exact.
+//! The panels of a matrix; without the remainders for live products.
 template <typename Remainder>
 struct Panels
 {
@@ -48,7 +48,7 @@ struct Kernel : sheetmorph::HWY_NAMESPACE::LaneFunctions
 
     static constexpr int parts = panel / width;  // of a column of a panel
 
-    // Twelve sums are under way at once, or those of one panel.
+    // Twelve sums run at once, or those of one panel.
     static constexpr int together = std::max(1, 4 / parts);
 
     static HWY_INLINE Lanes widened(const float* entries)
@@ -61,7 +61,7 @@ struct Kernel : sheetmorph::HWY_NAMESPACE::LaneFunctions
         return widened(rests);
     }
 
-    // The products are exact: their factors are powers of two and 16 bits.
+    // Exact, because the factors are powers of two and numbers of 16 bits.
     static HWY_INLINE Lanes widened(const float* entries, const std::int16_t* rests)
     {
         const hn::Rebind<std::int16_t, Doubles> shorts;
@@ -73,7 +73,7 @@ struct Kernel : sheetmorph::HWY_NAMESPACE::LaneFunctions
         return hn::PromoteTo(Doubles(), powers * units);
     }
 
-    // \param entries  of some panels, `stride` entries apart
+    // \param entries  of several panels, `stride` entries apart
     template <int panels>
     static HWY_INLINE void multiply(const Panels<Remainder>& entries, Eigen::Index stride,
                                     const Points& right, double (*result)[3][panel])
@@ -121,7 +121,7 @@ struct Kernel : sheetmorph::HWY_NAMESPACE::LaneFunctions
     }
 };
 
-// \param rest  none: a live product
+// \param rest  nullptr for a live product
 template <typename Remainder>
 void multiply(const float* first, const Remainder* rest, const Points& right, Points& result)
 {
@@ -165,15 +165,16 @@ double power_of_bits(std::int32_t bits)
     return power;
 }
 
-// Both keep `rest`, what an entry is beyond the float `most`, and return what rounding leaves of
-// it.
+// Both store `rest`, the difference between an entry and the float `most`, and return the rounding
+// error.
 double keep(double rest, float /*most*/, float& remainder)
 {
     remainder = static_cast<float>(rest);
-    return 0.0;  // nothing beside the rounding of a product
+    return 0.0;  // negligible against the rounding of a product
 }
 
-// Divides by no unit: the bits of a power of two are those of its inverse, turned round.
+// Avoids a division: the exponent bits of a power of two, subtracted from those of 1 squared, are
+// those of its inverse.
 double keep(double rest, float most, std::int16_t& remainder)
 {
     constexpr std::int32_t inverse_bits = 0x7f000000;
@@ -208,8 +209,8 @@ PanelRows<Remainder>::PanelRows(const Weights& rows) : PanelRows(rows.rows(), ro
     set(0, rows);
 }
 
-// The next remainder of a row takes on what rounding leaves of one: a product with numbers that
-// vary little from entry to entry is exacter than the entries.
+// The next remainder of a row absorbs the rounding error of the one before. A product with numbers
+// that vary little from entry to entry is then more exact than the entries.
 template <typename Remainder>
 void PanelRows<Remainder>::set(Eigen::Index first, const Weights& rows)
 {

@@ -63,7 +63,7 @@ public:
     //! \returns whether the basis had room for them
     bool extend(Weights& rows, double least)
     {
-        for (int time = 0; time < 2; ++time)  // the first time leaves rounding of the projection
+        for (int time = 0; time < 2; ++time)  // the second pass removes the rounding of the first
             project_out(rows);
         const Eigen::Index before = count_;
         for (Eigen::Index row = 0; row < rows.rows(); ++row)
@@ -91,7 +91,7 @@ private:
         add_product(products, columns_.leftCols(count_), -1.0, rows);
     }
 
-    Weights rows_, columns_;  // the same, transposed
+    Weights rows_, columns_;  // and its transpose
     Eigen::Index count_ = 0;
 };
 

@@ -15,7 +15,8 @@ namespace sheetmorph::numerics
 namespace
 {
 
-// Patches are as large as keeps their shares below a quarter of their fields, about.
+// Size of patches. Chosen so that their shares take less than about a quarter of the memory of
+// their fields.
 constexpr Eigen::Index columns_a_block = 12;
 constexpr Eigen::Index fewest_blocks = 2;
 
