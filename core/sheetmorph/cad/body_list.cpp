@@ -19,7 +19,7 @@ namespace sheetmorph::cad
 namespace
 {
 
-// The faces of a shell that others became.
+// Records for each face which face of the shell replaces it.
 void note_sewn(NamedShape& shell, const std::vector<TopoDS_Shape>& faces,
                const BRepBuilderAPI_Sewing& sewing)
 {
@@ -30,7 +30,7 @@ void note_sewn(NamedShape& shell, const std::vector<TopoDS_Shape>& faces,
             shell.sewn.emplace_back(face, made);
 }
 
-// Faces that lie side by side as shells with common edges.
+// Sews faces that touch to shells with common edges.
 std::vector<NamedShape> sewn(const std::vector<TopoDS_Shape>& faces)
 {
     Bnd_Box box;

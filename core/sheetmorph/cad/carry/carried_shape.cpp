@@ -12,7 +12,7 @@ namespace sheetmorph::cad
 namespace
 {
 
-// Between faces that keep their surfaces edges are as smooth as they were.
+// Between faces that keep their surfaces, edges keep their continuity.
 void keep_continuity(const ShapeCarrier& carrier, ShapeBuilder& builder)
 {
     const BRep_Builder change;

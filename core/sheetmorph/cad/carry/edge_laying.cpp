@@ -29,7 +29,7 @@ void ShapeCarrier::lay_on_faces(CarriedEdge& edge)
         const CarriedFace& face = faces_[static_cast<std::size_t>(use.face)];
         if (!face.spline)
             continue;
-        if (BRep_Tool::IsClosed(edge.edge, face.face))  // no other face has the seam
+        if (BRep_Tool::IsClosed(edge.edge, face.face))  // no other face shares the seam
         {
             const auto surface = Handle(Geom_BSplineSurface)::DownCast(face.surface);
             if (const auto seam = border_above(use.curve, surface, edge.low, edge.high);

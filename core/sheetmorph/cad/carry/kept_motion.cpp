@@ -35,7 +35,7 @@ bool is_plane_spanned(const Points& points)
     return values(1) > straight * values(2);
 }
 
-// A point at another distance from an axis.
+// The point, with its distance from an axis multiplied by `scale`.
 Vector3 resized(const Vector3& point, const gp_Ax1& axis, double scale)
 {
     const Vector3 foot = to_vector(axis.Location().XYZ());
@@ -101,7 +101,7 @@ std::optional<KeptMotion> rigid_fit(const Points& from, const Points& to, double
     if (from.rows() < (is_straight ? 2 : 3) || (!is_straight && !is_plane_spanned(from)))
         return {};
     const Vector3 centre = from.colwise().mean(), there = to.colwise().mean();
-    // Far from the origin a turn and a shift would cancel.
+    // Far from the origin, rotation and translation would cancel.
     const Points one = from.rowwise() - centre.transpose(),
                  other = to.rowwise() - there.transpose();
     const RigidMotion best = best_rigid_motion(one, other);
@@ -126,7 +126,7 @@ std::optional<KeptMotion> resized_fit(const Points& from, const Points& to, doub
     const Eigen::FullPivLU<Matrix3> moments(one.transpose() * one);
     if (!moments.isInvertible())
         return {};
-    // The affine map is a rotation after a scaling across the axis.
+    // The affine map is a scaling across the axis, followed by a rotation.
     const Matrix3 map = (moments.inverse() * (one.transpose() * other)).transpose();
     const gp_Ax3& place = cylinder->Position();
     const double scale = 0.5

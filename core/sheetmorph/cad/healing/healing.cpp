@@ -43,7 +43,7 @@ bool has_as_many(const TopoDS_Shape& one, const TopoDS_Shape& other)
     return true;
 }
 
-// How far vertices were moved, and how inexact edges and vertices are now, mm.
+// The largest displacement of a vertex, or the new tolerance of an edge or vertex, mm.
 double change(const TopoDS_Shape& before, const TopoDS_Shape& after,
               const Handle(BRepTools_ReShape) & context)
 {

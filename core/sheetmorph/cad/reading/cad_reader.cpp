@@ -38,7 +38,7 @@ void check(const CadMeshing& meshing)
         throw InvalidInput("the angle of the meshing is out of range", "give 0.6 to 85 degrees");
 }
 
-// Two digits are enough to say it again in a recipe.
+// Rounds to two digits, short enough to repeat in a recipe.
 double rounded(double length)
 {
     const double unit = std::pow(10.0, std::floor(std::log10(length)) - 1.0);
@@ -71,7 +71,7 @@ CadMeshing with_defaults(CadMeshing meshing, const std::vector<NamedShape>& shap
     return meshing;
 }
 
-// The surface or circle data of a part that is put somewhere.
+// Places the surfaces or circles of a part.
 struct Placement
 {
     Matrix3 turn;
@@ -136,7 +136,7 @@ TopoDS_Shape unplaced(const TopoDS_Shape& shape)
     return shape.Located(TopLoc_Location());
 }
 
-// The mesh of every shape.
+// Meshes every shape.
 std::vector<CadPart> mesh_all(const TopTools_IndexedMapOfShape& shapes, const CadMeshing& meshing,
                               const Progress& progress)
 {
@@ -174,7 +174,7 @@ CadModel meshed(const std::shared_ptr<CadSource>& source, const CadMeshing& want
     if (shapes.empty())
         throw InvalidInput("it holds no solid and no surface", "export solids or surfaces");
     const CadMeshing meshing = with_defaults(wanted, shapes);
-    TopTools_IndexedMapOfShape originals;  // a part that is used often is meshed once
+    TopTools_IndexedMapOfShape originals;  // a part with several instances is meshed once
     for (const NamedShape& one : shapes)
         originals.Add(unplaced(one.shape));
     const std::vector<CadPart> made = mesh_all(originals, meshing, progress);

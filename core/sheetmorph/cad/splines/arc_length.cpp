@@ -13,7 +13,7 @@ namespace sheetmorph::cad
 namespace
 {
 
-// Gauss's places and weights, fifth order (Abramowitz and Stegun, table 25.4).
+// Places and weights of the Gauss rule with five places, from Abramowitz and Stegun, table 25.4.
 constexpr std::array<double, 5> places = {0.0, -0.5384693101056831, 0.5384693101056831,
                                           -0.9061798459386640, 0.9061798459386640};
 constexpr std::array<double, 5> weights = {0.5688888888888889, 0.4786286704993665,

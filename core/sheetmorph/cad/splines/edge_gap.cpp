@@ -41,7 +41,7 @@ double bump(double x)
     return a < 1.0 ? 1.0 - 1.5 * a * a + 0.75 * a * a * a : 0.25 * std::pow(2.0 - a, 3.0);
 }
 
-// The basis of a curve with more knots.
+// The basis of a curve with further knots.
 CubicBasis refined(const Handle(Geom2d_BSplineCurve) & curve, double centre, double width)
 {
     std::vector<CubicBasis::Break> breaks;
@@ -64,11 +64,11 @@ CubicBasis refined(const Handle(Geom2d_BSplineCurve) & curve, double centre, dou
 
 }  // namespace
 
-//! b(x) + slope (b(x - 1) - b(x + 1)), x from its centre in widths.
+//! b(x) + slope (b(x - 1) - b(x + 1)), with x from the centre in widths.
 struct EdgeGap::Wave
 {
     double centre, width;
-    Vector2 way;  // in parameters, of height 1
+    Vector2 way;  // in parameters, for height 1
     double height = 0.0, slope = 0.0;
 
     Vector2 at(double t) const
@@ -102,15 +102,15 @@ double EdgeGap::largest(const Handle(Geom2d_Curve) & beneath) const
             found = std::max(found, at(beneath, low + i * (high - low) / count).norm());
     };
     look(low_, high_, samples);
-    // The curve has short spans where the gap changes fast.
+    // The curve has short spans where the gap changes quickly.
     if (const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(beneath); !spline.IsNull())
         for (int k = 1; k < spline->NbKnots(); ++k)
             look(spline->Knot(k), spline->Knot(k + 1), samples_a_span);
     return found;
 }
 
-// 1 mm along the surface at right angles to the edge, in parameters; to the side on which there is
-// more of the surface.
+// 1 mm along the surface at right angles to the edge, in parameters, towards the side with more
+// surface.
 Vector2 EdgeGap::across(const Vector2& uv, double t) const
 {
     gp_Pnt here;
@@ -145,8 +145,8 @@ Handle(Geom2d_BSplineCurve) EdgeGap::added(const Handle(Geom2d_BSplineCurve) & b
     return flat_spline(basis, basis.through(places, values));
 }
 
-// Newton for the height and the slope: the gap has the wanted length at the centre, and is largest
-// there.
+// Newton's method for height and slope: at the centre, the gap has the prescribed length and is
+// largest.
 Handle(Geom2d_BSplineCurve) EdgeGap::fitted(const Handle(Geom2d_BSplineCurve) & beneath, Wave wave,
                                             double largest) const
 {
@@ -190,7 +190,7 @@ Handle(Geom2d_BSplineCurve) EdgeGap::with_wave(const Handle(Geom2d_BSplineCurve)
                                                double largest) const
 {
     const double piece = (high_ - low_) / reader_pieces;
-    std::vector<std::pair<double, double>> places;  // the largest gap first
+    std::vector<std::pair<double, double>> places;  // largest gap first
     for (int i = 1; i < reader_pieces; ++i)
         places.emplace_back(-at(beneath, low_ + i * piece).norm(), low_ + i * piece);
     std::sort(places.begin(), places.end());

@@ -45,8 +45,8 @@ Vector2 scale_of(const SurfacePatch& patch)
     return length.cwiseMax(1e-12);
 }
 
-// The knots of a surface and of curves on it, of those with long spans first; none that is so near
-// to others that it would make short spans of long ones.
+// The knots of a surface and of curves on it, those with long spans first. Skips a knot so near to
+// others that it would make long spans short.
 CubicBasis basis_of(const SurfacePatch& patch, int direction)
 {
     // Relative to the spacing of the knots of a curve. Chosen above a half: a knot in the middle
@@ -73,8 +73,8 @@ CubicBasis basis_of(const SurfacePatch& patch, int direction)
     return {low, high, breaks};
 }
 
-// The products of a derivative of the splines of a basis, summed up at two places of every span
-// with the square of its length.
+// Products of a derivative of the splines of a basis, summed at two places of every span and
+// weighted by its squared length.
 PlateSystem::Band band_of(const CubicBasis& basis, int derivative)
 {
     const double gauss = 0.5 / std::sqrt(3.0);
@@ -95,7 +95,7 @@ PlateSystem::Band band_of(const CubicBasis& basis, int derivative)
     return band;
 }
 
-// A thin plate's energy, in which a long span counts as its square.
+// Adds the energy of a thin plate, in which a long span counts by its square.
 void add_plate(PlateSystem& system, const CubicBasis& u, const CubicBasis& v, const Vector2& scale)
 {
     const double in_u = scale(0) * scale(0), in_v = scale(1) * scale(1);
@@ -169,7 +169,7 @@ void FaceSpline::fit(const SplineTargets& targets, double tolerance, const Progr
     }
 }
 
-// A curve between two places crosses the spans of both parameters.
+// Number of spans of both parameters that a line between two places crosses.
 double FaceSpline::spans_between(const Vector2& here, const Vector2& there) const
 {
     double spans = 0.0;
@@ -187,7 +187,7 @@ double FaceSpline::spans_between(const Vector2& here, const Vector2& there) cons
     return spans;
 }
 
-// So many places that a surface cannot swing between them, however short its spans are.
+// Adds enough places that a surface cannot swing between them, however short its spans are.
 void FaceSpline::add_places(const SurfaceTrack& track, std::vector<SurfacePlace>& places) const
 {
     // Weights beside mesh vertices (1), places to a span, and the shortest span as a share of the
@@ -215,7 +215,7 @@ void FaceSpline::add_places(const SurfaceTrack& track, std::vector<SurfacePlace>
         };
         for (int cut = 0; cut < cuts + (i + 1 == pieces ? 1 : 0); ++cut)
             add(cut, (i == 0 && cut == 0) || cut == cuts);
-        // Near a corner spans may be as short as the edge beyond it wants them.
+        // Near a corner, spans may be as short as the edge beyond it requires.
         for (double near = 0.5; near > closest; near *= 0.5)
         {
             if (i == 0)
@@ -226,7 +226,7 @@ void FaceSpline::add_places(const SurfaceTrack& track, std::vector<SurfacePlace>
     }
 }
 
-// The same of normals: between few of them a surface that meets them all may stand steeply.
+// The same for normals. Between few of them, a surface that meets all might still be steep.
 void FaceSpline::add_normals(const SurfaceTrack& track, std::vector<SurfaceNormal>& normals) const
 {
     // Chosen: half as many as places, because a normal prescribes two numbers and changes more
@@ -278,7 +278,7 @@ void FaceSpline::solve(const std::vector<SurfacePlace>& places,
     close();
 }
 
-// A surface is as smooth across a seam as anywhere, also where its face has only one side of it.
+// A surface is as smooth across a seam as elsewhere, even if its face lies only on one side.
 void FaceSpline::tie_seams(PlateSystem& system) const
 {
     for (int k = 0; k < 2; ++k)
@@ -304,7 +304,7 @@ void FaceSpline::tie_seams(PlateSystem& system) const
         }
 }
 
-// Least squares leave what shall be one point or one curve nearly so.
+// Closes poles and seams exactly; least squares leave them almost closed.
 void FaceSpline::close()
 {
     const int rows = u_.count(), columns = v_.count();

@@ -51,7 +51,7 @@ GridCholesky::GridCholesky(const GridMatrix& matrix, double shift)
         eliminate(std::move(border), before, true);
 }
 
-// Rows and columns that are tied to others far away come last.
+// Rows and columns that are tied to distant ones come last.
 GridCholesky::Rectangle GridCholesky::without_border() const
 {
     const int in_rows = matrix_.is_tied[0] ? GridMatrix::border : 0;

@@ -31,7 +31,7 @@ Handle(Geom2d_Curve) line(const gp_Pnt2d& from, const gp_Pnt2d& to, double low, 
     return new Geom2d_BSplineCurve(points, at, times, 1);
 }
 
-// A surface with the ends of its parameters.
+// A surface with the range of its parameters.
 class Ground
 {
 public:
@@ -44,7 +44,7 @@ public:
             open(1);
     }
 
-    //! The step from parameters to those beneath a point, to first order; none at a pole.
+    //! The step from parameters to those beneath a point, to first order; zero at a pole.
     Vector2 step(const Vector2& uv, const gp_Pnt& point) const
     {
         gp_Pnt here;
@@ -60,7 +60,7 @@ public:
         return (uv + found / squared).cwiseMax(low_).cwiseMin(high_) - uv;
     }
 
-    //! mm a unit of each parameter.
+    //! Length per unit of each parameter, mm.
     Vector2 scale(const Vector2& uv) const
     {
         gp_Pnt here;
@@ -93,7 +93,7 @@ Handle(Geom2d_Curve)
 {
     if (!Handle(Geom2d_BSplineCurve)::DownCast(curve).IsNull())
         return curve;
-    if (Geom2dAdaptor_Curve(curve).GetType() == GeomAbs_Line)  // a trimmed one, too
+    if (Geom2dAdaptor_Curve(curve).GetType() == GeomAbs_Line)  // also if trimmed
         return line(curve->Value(low), curve->Value(high), low, high);
     constexpr double exact = 1e-6;  // in parameters; chosen: below CarryTolerances::edge, 5e-4 mm
     const auto place = [&](double t) -> Vector3

@@ -63,7 +63,7 @@ double SpanChoice::length(int direction, int span) const
            * (ends[static_cast<std::size_t>(span + 1)] - ends[static_cast<std::size_t>(span)]);
 }
 
-// How much the second derivative of the displacement changes over one span, mm.
+// Change of the displacement's second derivative over one span, mm.
 double SpanChoice::change(const Vector2& uv, int direction) const
 {
     const CubicBasis& basis = direction == 0 ? spline_.u_ : spline_.v_;
@@ -104,7 +104,7 @@ void SpanChoice::choose_at(const Vector2& uv, double spacing)
     }
 }
 
-// Where one parameter is that of a pole, what is off is due to the spans of the other.
+// At a pole of one parameter, the spans of the other one cause the error.
 void SpanChoice::choose_by_surface(double tolerance)
 {
     FaceSpline alone = spline_;

@@ -15,12 +15,12 @@ namespace sheetmorph::cad
 namespace
 {
 
-// First and second derivatives, one a row: at some places, by one parameter.
+// First and second derivatives at some places with respect to one parameter, one row per place.
 using Slopes = std::array<Points, 2>;
 using SlopesAt = std::function<Slopes(double)>;
 
-// How often a place is a knot: files have knots of all orders where a CAD system made a surface
-// longer or joined two that go on smoothly, and what is not needed is free to swing.
+// Multiplicity of a knot. Where a CAD system extended a surface or joined two smoothly, files have
+// knots of higher multiplicity than needed, and a surface with needless freedom swings.
 int times_at(const SlopesAt& slopes, double at, double range)
 {
     // Distance from the knot, relative to the range, and jumps of slope and curvature, relative to
@@ -35,7 +35,7 @@ int times_at(const SlopesAt& slopes, double at, double range)
     return largest(after[1] - before[1]) * range > bend * speed ? 2 : 0;
 }
 
-// What has one continuous derivative only between places, and two only between more of them.
+// Breaks with one continuous derivative, in their order, and further ones with two.
 std::vector<CubicBasis::Break> real_breaks(std::vector<double> places, const SlopesAt& slopes,
                                            double low, double high)
 {
