@@ -39,7 +39,7 @@ Vector3 centroid(const Points& points)
     return points.colwise().mean().transpose();
 }
 
-// From the assembly's centre to what tells its sides apart.
+// Directions from the centre of the assembly to landmarks that distinguish its sides.
 std::vector<Vector3> landmark_directions(const Assembly& assembly, const Vector3& centre)
 {
     std::vector<Vector3> directions;
@@ -58,7 +58,7 @@ std::vector<Vector3> landmark_directions(const Assembly& assembly, const Vector3
     return directions;
 }
 
-// Two directions that differ make a frame; without them the world's axes have to do.
+// Two different directions make a frame. Without them, the axes of the world are used.
 Matrix3 landmark_axes(const Assembly& assembly, const Vector3& centre, double size)
 {
     Matrix3 axes = Matrix3::Identity();

@@ -36,7 +36,7 @@ bool agree(const RigidMotion& a, const RigidMotion& b)
                        "give one of them a motion, or both the same");
 }
 
-//! Tells both sides of a plane what a pose tells one.
+//! Completes a pose that moves only one side of the plane.
 class Mirrored
 {
 public:
@@ -109,7 +109,7 @@ private:
             pose_.sizes[a] = other->second;
     }
 
-    // Where a pose leaves a point out it stays; the solver asks for a target of every declared one.
+    // A point without a target stays at rest, because the solver needs a target for every point.
     surface::PointTarget target_of(int point) const
     {
         const auto found = pose_.points.find(assembly_.points[at(point)].name);
