@@ -13,8 +13,8 @@ namespace sheetmorph::assembly
 //! The few numbers that determine every shape. A document stores them, and a drag changes them.
 struct Pose
 {
-    std::map<std::string, RigidMotion> handles;   //!< no motion if missing
-    std::map<std::string, Vector3> feature_logs;  //!< of prescribed features (2.6); identity if missing
+    std::map<std::string, RigidMotion> handles;          //!< no motion if missing
+    std::map<std::string, Vector3> feature_logs;         //!< of prescribed features (2.6)
     std::map<std::string, surface::PointTarget> points;  //!< every point needs a target
     std::map<std::string, double> sizes;                 //!< mm, of resizable features
 };

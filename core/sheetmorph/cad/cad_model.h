@@ -79,13 +79,13 @@ struct CadPart
     std::vector<int> face_of_triangle;  //!< (m) index into `surfaces`
     std::vector<CadSurface> surfaces;   //!< one per face
     std::vector<CadCircle> circles;
-    bool is_closed = false;          //!< every edge has two triangles, which face outwards
-    double deviation = 0.0;          //!< largest distance between mesh and surfaces, mm
-    std::vector<int> skipped_faces;  //!< faces that were not meshed, ascending
+    bool is_closed = false;                //!< every edge has two triangles, which face outwards
+    double deviation = 0.0;                //!< largest distance between mesh and surfaces, mm
+    std::vector<int> skipped_faces;        //!< faces that were not meshed, ascending
     std::vector<std::string> faults = {};  //!< reasons why its shape is invalid, a few words each
     std::vector<std::string> healed = {};  //!< the same, before healing
     double healed_within = 0.0;            //!< largest displacement by healing, mm
-    Convergence convergence = {};  //!< of the face whose meshing took most rounds or failed
+    Convergence convergence = {};          //!< of the face whose meshing took most rounds or failed
     std::shared_ptr<const ShapeMesh> known;  //!< instances of one product share it
 };
 
@@ -99,8 +99,8 @@ struct CadModel
     std::shared_ptr<const CadSource> source;  //!< what was read, to write it with other shapes
     int lost_faces = 0;                       //!< faces of the file that OpenCASCADE could not read
     std::vector<std::string> lost_in;         //!< solids that lack some of these faces
-    std::vector<std::string> unread;  //!< entities of a STEP file with impossible values:
-                                      //!< number and reason
+    std::vector<std::string> unread;          //!< entities of a STEP file with impossible values:
+                                              //!< number and reason
 };
 
 }  // namespace sheetmorph::cad

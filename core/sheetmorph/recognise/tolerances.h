@@ -54,8 +54,8 @@ struct ContactTolerances
     //! wide as its shank (ISO 4762, M6: 10 mm), a washer twice (ISO 7089: 12 mm), so that one hole
     //! may let them pass.
     double bolt_ratio = 2.5;
-    int smallest = 3;           //!< fewest vertices on the smaller side
-    bool joins_pairs = false;   //!< one contact per pair of parts instead of one per patch
+    int smallest = 3;          //!< fewest vertices on the smaller side
+    bool joins_pairs = false;  //!< one contact per pair of parts instead of one per patch
 
     //! \throws InvalidInput naming the tolerance that is out of range
     void check() const;

@@ -12,13 +12,13 @@ struct OrientedBox
     Matrix3 axes = Matrix3::Identity();      //!< columns: unit, right-handed
     Vector3 centre = Vector3::Zero();        //!< mm
     Vector3 half_extents = Vector3::Zero();  //!< mm, all > 0
-    Vector3 widened_by = Vector3::Zero();  //!< mm: added by margin and thickness
+    Vector3 widened_by = Vector3::Zero();    //!< mm: added by margin and thickness
 };
 
 //! How a box gets room for a control mesh.
 struct BoxOptions
 {
-    double margin = 0.1;  //!< added on every side, relative to the largest half extent
+    double margin = 0.1;              //!< added on every side, relative to the largest half extent
     double minimum_thickness = 0.25;  //!< smallest half extent, relative to the largest
     double single_point_size = 1.0;   //!< half extents of the box around a single point, mm
 };

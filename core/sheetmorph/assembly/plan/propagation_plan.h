@@ -26,7 +26,7 @@ struct PropagationPlan
     std::vector<int> level;  //!< by part: contacts from the primary; -1 if not reached
     std::vector<DirectedContact> contacts;  //!< that propagate motion
     std::vector<DirectedContact> measured;  //!< that are measured: between reached parts
-    std::vector<int> unreached;  //!< parts without a driver of their own that the primary does not reach
+    std::vector<int> unreached;             //!< neither reached nor driven by handles of their own
 
     //! The contacts that propagate motion into one part, in the order of the assembly.
     std::vector<DirectedContact> into(const Assembly& assembly, int part) const;

@@ -22,19 +22,18 @@ struct FeatureResult
     RigidMotion motion;          //!< about the centroid of the feature at rest
     double edge_error = 0.0;     //!< worst |p_i - p_j - R (p_hat_i - p_hat_j)| over its edges, mm
     std::optional<double> size;  //!< mm, if it is set
-    double outline_error = 0.0;  //!< largest distance of its rim from the exact outline of that size, mm
+    double outline_error = 0.0;  //!< mm: largest distance of its rim from its exact outline
 };
 
 //! Every part in one pose. Only exact solves measure edge errors, contacts and spread.
 struct Deformed
 {
+    std::vector<surface::Deformation> parts;  //!< by part; features first those of the assembly
     std::vector<surface::Deformation>
-        parts;  //!< by part; features first those of the assembly
-    std::vector<surface::Deformation>
-        middles;                          //!< by part: the solved mid-surface of a thin solid, else empty
-    std::vector<FeatureResult> features;  //!< in the order of assembly().features
+        middles;                            //!< by part: mid-surface of a thin solid, else empty
+    std::vector<FeatureResult> features;    //!< in the order of assembly().features
     std::vector<ContactFidelity> contacts;  //!< of plan().measured
-    double spread = 0.0;  //!< mm: largest distance between targets of several contacts for one vertex
+    double spread = 0.0;  //!< mm: largest distance between several targets of one vertex
 };
 
 //! Duration of one stage of the set-up.

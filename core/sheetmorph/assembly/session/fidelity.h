@@ -13,8 +13,9 @@ struct ContactFidelity
     int contact = 0;  //!< index into Assembly::contacts
     int source_part = 0;
     int target_part = 0;
-    double deviation = 0.0;    //!< mm: largest distance of a driven vertex from the best rigid motion of
-                               //!< the source side; includes bending
+    //! Largest distance of a driven vertex from the best rigid motion of the source side, mm.
+    //! Includes bending.
+    double deviation = 0.0;
     double region_size = 0.0;  //!< mm: diagonal of both sides at rest, for comparison
 };
 

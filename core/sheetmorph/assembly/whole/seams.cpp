@@ -193,7 +193,7 @@ private:
     const std::vector<int>& parts_;
     DisjointSets sets_;
     std::vector<char> is_rigid_;              // by vertex: on a feature, handle or fixed region
-    Sets rigid_, loose_;                      // parts of these vertices, and of others, in a cluster
+    Sets rigid_, loose_;                      // parts of these and other vertices in a cluster
     Sets drivers_;                            // handles that move it; none: the ground
     std::set<std::pair<int, int>> partners_;  // (vertex, part)
 };

@@ -27,7 +27,7 @@ struct CarriedShape
     TopoDS_Shape shape;
     std::vector<bool> is_kept;  //!< one per face: on its old surface, moved
     std::vector<double> scale;  //!< one per face: of the radius of a cylinder, else 1
-    WorstAt gap;  //!< between an edge and a fitted face, if wider than before
+    WorstAt gap;                //!< between an edge and a fitted face, if wider than before
     TopTools_DataMapOfShapeShape image;  //!< of every vertex, edge, face, shell and solid
     //! The mesh of the shape at rest. If washers were divided from faces, they are further faces at
     //! the end.

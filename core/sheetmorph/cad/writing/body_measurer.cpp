@@ -24,7 +24,7 @@ namespace
 {
 
 constexpr double degrees = 1.0 / degree;  // from geometry
-constexpr double smooth = 0.8;  // degrees; from ShapeCarrier::is_smooth_at()
+constexpr double smooth = 0.8;            // degrees; from ShapeCarrier::is_smooth_at()
 
 // The outward normal of a face at a parameter of an edge; nothing at a pole.
 std::optional<Vector3> normal_at(const TopoDS_Edge& edge, const TopoDS_Face& face, double share)

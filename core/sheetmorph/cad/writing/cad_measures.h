@@ -28,15 +28,14 @@ struct CadMeasures
     bool is_valid = false;            //!< according to OpenCASCADE's BRepCheck
     bool was_valid = false;           //!< the same for the shape that was read
     std::vector<std::string> faults;  //!< reasons why the shape that was read was invalid
-    std::vector<std::string>
-        healed;                  //!< reasons why it was invalid before healing
-    double healed_within = 0.0;  //!< largest displacement by healing
+    std::vector<std::string> healed;  //!< reasons why it was invalid before healing
+    double healed_within = 0.0;       //!< largest displacement by healing
     std::vector<int> invalid_faces;
     bool is_closed = false;
     bool was_closed = false;
-    WorstAt distance;  //!< from the deformed mesh
-    WorstAt gap;       //!< between an edge and a fitted face, if wider than before
-    WorstAt kink;      //!< degrees, at edges that were smooth
+    WorstAt distance;                  //!< from the deformed mesh
+    WorstAt gap;                       //!< between an edge and a fitted face, if wider than before
+    WorstAt kink;                      //!< degrees, at edges that were smooth
     double edge_tolerance = 0.0;       //!< as written
     double edge_tolerance_read = 0.0;  //!< as read again
     double vertex_tolerance = 0.0;

@@ -133,8 +133,7 @@ Points half_cotangents(const TriangleMesh& mesh)
         if (!counts)
             continue;
         const Corners corners(mesh, t);
-        const double sine =
-            std::max(corners.twice_area, thinnest_for_operators * corners.longest);
+        const double sine = std::max(corners.twice_area, thinnest_for_operators * corners.longest);
         for (int k = 0; k < 3; ++k)
             weights(t, k) = 0.5 * corners.corner_dot(k) / sine;
     }
@@ -194,8 +193,7 @@ Eigen::VectorXd voronoi_areas(const TriangleMesh& mesh)
         }
     }
     for (Eigen::Index i = 0; i < areas.size(); ++i)
-        areas(i) =
-            extent(i) == 0.0 ? 1.0 : std::max(areas(i), thinnest_for_operators * extent(i));
+        areas(i) = extent(i) == 0.0 ? 1.0 : std::max(areas(i), thinnest_for_operators * extent(i));
     return areas;
 }
 

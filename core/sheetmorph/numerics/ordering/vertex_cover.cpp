@@ -101,7 +101,7 @@ private:
 
     const BipartiteGraph& graph_;
     std::vector<int> right_of_, left_of_;  // partners
-    std::vector<int> reached_;             // by right vertex: root of the last search that reached it
+    std::vector<int> reached_;             // by right vertex: root of the last search
     std::vector<int> reached_from_;        // by right vertex
     std::vector<int> queue_;
 };

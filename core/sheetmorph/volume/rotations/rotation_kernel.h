@@ -13,7 +13,7 @@ struct RingBatch
 
     int rings = 0;
     std::size_t first = 0;  //!< first spoke of the batch
-    int count = 0;  //!< spokes of the longest ring; others are filled with their vertex
+    int count = 0;          //!< spokes of the longest ring; others are filled with their vertex
     int vertex[lanes] = {};
     double normal[3][lanes] = {};  //!< unit; zero if the ring has none
     double normal_weight[lanes] = {};
