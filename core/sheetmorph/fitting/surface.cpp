@@ -257,9 +257,8 @@ Surface refined(const Points& points, const Surface& start)
     constexpr int most_steps = 12;
     Surface best = start;
     double least = squares_of(points, best);
-    // Levenberg-Marquardt (Marquardt 1963): damping relative to the diagonal. Chosen: it begins
-    // near Gauss-Newton, grows a hundredfold after a failure and falls tenfold after a success; it
-    // ends when a step gains a millionth.
+    // Levenberg-Marquardt (Marquardt 1963), relative to the diagonal. Chosen: near Gauss-Newton at
+    // first, a hundred times more after a failure, a tenth after a success.
     double damping = 1e-6;
     for (int step = 0; step < most_steps; ++step)
     {

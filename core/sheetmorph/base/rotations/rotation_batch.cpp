@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/rotations/rotation_batch.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/instructions/instructions.h"
 #include "sheetmorph/base/log_near.h"

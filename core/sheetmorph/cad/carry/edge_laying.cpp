@@ -15,13 +15,11 @@ void ShapeCarrier::lay_on_faces(CarriedEdge& edge)
 {
     if (edge.is_degenerated)
         return;
-    // mm: the smallest tolerance of an edge, from OpenCASCADE (Precision::Confusion). The wave is 3
-    // % higher than the largest gap, chosen as in measure_edge(): 2 % for gaps between samples.
+    // From OpenCASCADE, mm: no reader gives an edge a smaller tolerance. A wave is 3 % higher than
+    // the gap, chosen as in measure_edge(), and at least two grains of a file (CarryTolerances)
+    // high.
     constexpr double exact = 1e-7, more = 1.03;
-    constexpr double unseen = 0.9e-7;  // from `exact`: no reader gives an edge a smaller tolerance
-    // mm, from CarryTolerances::grain: twice the grain of coordinates in a STEP file, so that the
-    // reader's rounding leaves the wave.
-    constexpr double least = 2e-6;
+    constexpr double unseen = 0.9e-7, least = 2e-6;
     double largest = 0.0;
     EdgeOnFace* worst = nullptr;
     for (EdgeOnFace& use : edge.uses)

@@ -30,8 +30,7 @@ Vector3 row_of(const Points& points, int row)
 Vector3 transported(const Vector3& vector, const Vector3& from, const Vector3& to)
 {
     const double cosine = from.dot(to);
-    // From geometry: opposite vectors have no smallest rotation. Chosen: to 2.6 degrees.
-    if (cosine < -0.999)
+    if (cosine < -0.999)  // from geometry: opposite vectors have no smallest rotation
         return vector;
     const Vector3 axis = from.cross(to);
     return cosine * vector + axis.cross(vector) + axis * (axis.dot(vector) / (1.0 + cosine));
@@ -431,9 +430,7 @@ void ShellSystem::brace_joints()
 {
     if (joints_.freedoms() == 0)
         return;
-    // Chosen: far below the stiffness of every freedom with triangles, so that it only gives a
-    // pivot.
-    const double brace = 1e-10 * matrix_->diagonal().mean();
+    const double brace = 1e-10 * matrix_->diagonal().mean();  // chosen: it only gives a pivot
     for (int k = movers_.open; k < unknowns(); ++k)
         matrix_->coeffRef(k, k) += brace;
 }
