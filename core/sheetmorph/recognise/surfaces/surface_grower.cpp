@@ -20,8 +20,9 @@ namespace
 constexpr int none = -1;
 // Triangles of the patch around a seed, of a drawn and of a measured mesh; fewest triangles to
 // which a curved surface is fitted. From geometry: in a regular mesh, a triangle and all that touch
-// its corners are 13. A measured mesh needs three times as many, because noise falls with the root
-// of their number. A cone has six unknowns.
+// its corners are 13. Measured: with 7, Features.ABendHasItsTurnItsRadiusAndItsThickness finds no
+// bend; with 28, Surfaces.AConeIsExactHoweverSlenderAndFine no exact cone. A measured mesh needs
+// three times as many, because noise falls with the root of their number. A cone has six unknowns.
 constexpr std::size_t patch_size = 14;
 constexpr std::size_t measured_patch_size = 40;
 constexpr std::size_t fewest_triangles = 6;
@@ -29,6 +30,7 @@ constexpr Surface::Kind curved[] = {Surface::Kind::cylinder, Surface::Kind::sphe
                                     Surface::Kind::cone};
 
 // Mean square difference of normals from which a patch is curved. From the fit of surfaces.
+// Measured: twice as much loses the bend of Features.ABendHasItsTurnItsRadiusAndItsThickness.
 constexpr double turning = fitting::SpreadLimits{}.turning;
 
 // Share of the scatter that remains in smoothed normals. Chosen: as much as an average over a
@@ -59,7 +61,8 @@ void take(SurfaceRegion& region, std::vector<int> triangles)
 
 // A curved region must cover this many of 36 directions around its axis. From geometry: a
 // right-angled bend with three rows of facets covers three, 30 degrees between its first and last
-// row at least.
+// row at least. Measured: with six directions, or 18 in all, the bend of
+// Features.ABendHasItsTurnItsRadiusAndItsThickness is lost.
 constexpr int directions = 36;
 constexpr int fewest_directions = 3;
 
