@@ -2,10 +2,13 @@
 """Named numbers of the kernel without a source in their comment."""
 import re
 
-# A number with a name: constexpr, of a floating-point type, in a file, a class or a function.
+# A number with a name: constexpr, in a file, a class or a function.
+TYPES = (
+    "double|float|long double|Real|int|std::size_t|std::ptrdiff_t|Eigen::Index|std::chrono::\\w+"
+)
 NUMBER = re.compile(
-    r"^[ \t]*(?:static |inline )*constexpr (?:static |inline )*(?:double|float|long double|Real) "
-    r"(?P<name>\w+)(?:\[\])? ?[={](?P<value>[^;]*);(?P<tail>[^\n]*)$",
+    rf"^[ \t]*(?:static |inline )*constexpr (?:static |inline )*(?:{TYPES}) "
+    r"(?P<name>\w+)(?:\[\])? ?[={(](?P<value>[^;]*);(?P<tail>[^\n]*)$",
     re.M,
 )
 COMMENT = re.compile(r"//!?<? ?(.*)")
@@ -13,8 +16,8 @@ COMMENT = re.compile(r"//!?<? ?(.*)")
 # "mm, from the reader"), a measurement, or what kind of choice it is. A "distance from a plane" is
 # none.
 SOURCE = re.compile(r"(?:^|[.;,(:] )(?:from|chosen|measured)\b|\bis from\b|\brecommend", re.I)
-# Values that need none: other names, limits of the number format, zero and infinity.
-NO_NUMBER = re.compile(r"^[^0-9]*$|numeric_limits")
+# Values that need none: other names, limits of the number format, and marks such as "none" (-1).
+NO_NUMBER = re.compile(r"^[^0-9]*$|numeric_limits|^-[0-9]$|^0$")
 
 
 def comment_of(lines: list[str], number: int) -> str:
@@ -35,7 +38,7 @@ def comment_of(lines: list[str], number: int) -> str:
 
 
 def numbers_without_source(text: str) -> list[str]:
-    """Return the named floating-point constants whose comment does not say where they come from."""
+    """Return the named numbers whose comment does not say where they come from."""
     lines = text.split("\n")
     faults = []
     for match in NUMBER.finditer(text):

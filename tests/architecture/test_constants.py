@@ -24,6 +24,7 @@ def test_the_numbers_are_found():
 def test_a_number_without_a_comment_is_noticed():
     assert faults("constexpr double far = 1.8;\n") == ["line 1: far"]
     assert faults("    static constexpr double far = 1.8;\n") == ["line 1: far"]
+    assert faults("constexpr std::size_t most = 40;\n") == ["line 1: most"]
 
 
 def test_a_comment_that_only_repeats_the_name_is_noticed():
@@ -45,4 +46,5 @@ def test_numbers_without_a_blank_line_share_a_comment():
 
 def test_another_name_needs_no_source():
     assert not faults("constexpr double far = other;\n")
+    assert not faults("constexpr int none = -1;\n")
     assert not faults("constexpr double all = std::numeric_limits<double>::infinity();\n")

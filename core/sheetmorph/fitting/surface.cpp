@@ -254,7 +254,7 @@ std::optional<Surface> fit_surface(const FacetSample& facets, Surface::Kind kind
 Surface refined(const Points& points, const Surface& start)
 {
     // Every accepted step reduces the sum, so an early end is safe; callers check the residual.
-    constexpr int most_steps = 12;
+    constexpr int most_steps = 12;  // chosen, not measured
     Surface best = start;
     double least = squares_of(points, best);
     // Levenberg-Marquardt (Marquardt 1963), relative to the diagonal. Chosen: near Gauss-Newton at

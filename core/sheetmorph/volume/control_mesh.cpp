@@ -17,7 +17,7 @@ namespace sheetmorph::volume
 namespace
 {
 
-constexpr int corner_count = 8;
+constexpr int corner_count = 8;  // from geometry: a cube
 
 // Corner k of a quad is followed by corner k + 1; seen from outside, counterclockwise. After the
 // first subdivision a quad is (old vertex, edge point, face point, edge point).

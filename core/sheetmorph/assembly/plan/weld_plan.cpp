@@ -187,7 +187,7 @@ private:
             weld.name += "' and '" + std::to_string(count - most_names) + " more";
     }
 
-    static constexpr std::size_t most_names = 4;
+    static constexpr std::size_t most_names = 4;  // chosen: a message stays on one line
 
     const Assembly& assembly_;
     std::vector<DirectedContact> rigid_;

@@ -17,7 +17,7 @@ using mesh::Anchor;
 namespace
 {
 
-constexpr Eigen::Index least_searches = 50;  // worth a thread
+constexpr Eigen::Index least_searches = 50;  // fewest for a thread; chosen, not measured
 
 // A corner with a smaller weight does not count. From rounding: weights in a triangle with a height
 // of 1e-5 of its length (thinnest_triangle) are exact to 1e-11; chosen far above.

@@ -31,7 +31,7 @@ namespace
 // Chosen: waking a thread takes about as long.
 constexpr std::chrono::microseconds looking{30};
 
-constexpr std::chrono::milliseconds between_looks{100};
+constexpr std::chrono::milliseconds between_looks{100};  // chosen: a stop within 0.1 s
 
 thread_local bool is_of_pool = false;
 

@@ -13,6 +13,7 @@ namespace sheetmorph::cad
 //! each direction.
 struct GridMatrix
 {
+    //! From cubic splines: each overlaps the three before and after it.
     static constexpr int reach = 3, across = 2 * reach + 1;
 
     int rows = 0, columns = 0;     //!< the number of a place is row * columns + column
@@ -20,7 +21,7 @@ struct GridMatrix
     //! Couplings among the first and last `border` rows (0) or columns (1); lower triangle.
     std::vector<Eigen::Triplet<double>> ties;
     std::array<bool, 2> is_tied = {};
-    static constexpr int border = 4;
+    static constexpr int border = 4;  //!< from cubic splines: those at an end
 
     Eigen::MatrixXd times(const Eigen::MatrixXd& values) const;
     double largest() const;  //!< on the diagonal

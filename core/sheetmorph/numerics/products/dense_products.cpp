@@ -119,7 +119,7 @@ void pack(const WeightsView& right, Eigen::Index first, int columns, double* pan
 void add_product_widest(const WeightsView& left, const WeightsView& right, double factor,
                         WeightsTarget& result)
 {
-    constexpr int across = 2 * Tile::width;
+    constexpr int across = 2 * Tile::width;  // from the tile
     const Eigen::Index depth = left.cols(), rows = left.rows(), columns = right.rows();
     thread_local std::vector<double> panel;
     panel.resize(std::max(panel.size(), static_cast<std::size_t>(across * depth)));

@@ -48,7 +48,7 @@ struct Kernel : sheetmorph::HWY_NAMESPACE::LaneFunctions
 
     static constexpr int parts = panel / width;  // of a column of a panel
 
-    // Twelve sums run at once, or those of one panel.
+    // From the processor, as in dense_products.cpp: twelve sums run at once, or those of one panel.
     static constexpr int together = std::max(1, 4 / parts);
 
     static HWY_INLINE Lanes widened(const float* entries)

@@ -11,7 +11,7 @@ namespace sheetmorph::numerics
 namespace
 {
 
-// Fewest columns worth a thread.
+// Fewest columns worth a thread. Chosen, not measured: estimated at 10 ns each, 100 microseconds.
 constexpr Eigen::Index least_columns = 10000;
 
 // Packs columns of a matrix, from `first` on, as far as they exist and fit.

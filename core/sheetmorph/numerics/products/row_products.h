@@ -26,7 +26,7 @@ public:
                                  const SparseMatrix& basis);
 
 private:
-    static constexpr int together = 4;
+    static constexpr int together = 4;  // from AVX2: doubles of a register
     using Packed = Eigen::Matrix<double, Eigen::Dynamic, together, Eigen::RowMajor>;
 
     void take_off(const Eigen::MatrixXd& f, const Eigen::MatrixXd& u, Eigen::Index first);

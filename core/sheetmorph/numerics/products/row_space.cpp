@@ -11,7 +11,7 @@ namespace sheetmorph::numerics
 namespace
 {
 
-// Rows of the basis found at a time: a multiple of the rows of a tile of a dense product.
+// Rows of the basis found at a time. From dense_products.cpp: a multiple of the rows of a tile.
 constexpr Eigen::Index block = 24;
 
 // Every row enters this many random sums: a sparse sign sketch, for which Martinsson and Tropp,

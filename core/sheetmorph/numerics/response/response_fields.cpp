@@ -33,7 +33,7 @@ constexpr double rounding = 1e-7;
 // not need a field there.
 constexpr double unfelt = 0.1;
 
-// Rows whose patches are worth a range of their own.
+// Rows of a range. Chosen, not measured.
 constexpr Eigen::Index least_rows = 2000;
 
 bool goes_by_neighbours(const Points& places)

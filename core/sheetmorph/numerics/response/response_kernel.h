@@ -22,7 +22,7 @@ struct alignas(32) NarrowRows
 //! The product of one patch: its fields, combined by shares * coefficients.
 struct ResponseProduct
 {
-    static constexpr int lanes = 8;  //!< shares of a column are a multiple of these
+    static constexpr int lanes = 8;  //!< from AVX2: floats of a register; shares fill it
     //! Blocks of a patch. Chosen: the blended fields of a patch, 4.5 KiB, stay in the first cache.
     static constexpr int most_blocks = 8;
     static constexpr int most_fields = most_blocks * ResponseRows::count;

@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr int most_looks = 64;            // of a facet; chosen: more show no new neighbour
-constexpr Eigen::Index least_looks = 50;  // fewest worth a thread
+constexpr Eigen::Index least_looks = 50;  // fewest for a thread; chosen, not measured
 
 // Target number of rays. From statistics: shares of the surface are exact to 1 / sqrt(2000) = 2 %.
 constexpr double looks_a_component = 2000.0;

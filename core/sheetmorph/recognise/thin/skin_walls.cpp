@@ -26,10 +26,10 @@ constexpr double reach_of_walls = 1.6;
 // runs along that direction. Chosen: a chamfer by 45 degrees belongs to its skin.
 constexpr double across = 0.5;
 
-constexpr int on_both = 2;
+constexpr int on_both = 2;  // chosen: no side, which is +1 or -1
 constexpr int none = -1;
 
-constexpr Eigen::Index least_facets = 50;  // fewest worth a thread
+constexpr Eigen::Index least_facets = 50;  // fewest for a thread; chosen, not measured
 
 class Walls
 {

@@ -18,7 +18,9 @@ namespace
 {
 
 constexpr int none = -1;
-constexpr Eigen::Index block = 24;  // columns per substitution
+// Columns per substitution, a multiple of the right-hand sides of a register, and substitutions
+// before the memory is checked. Chosen, not measured.
+constexpr Eigen::Index block = 24;
 constexpr Eigen::Index blocks_at_once = 4;
 // Limit on the memory of responses. Chosen: 512 MiB; a computer with 4 GiB has room for it.
 constexpr double most_bytes = 512.0 * 1048576;

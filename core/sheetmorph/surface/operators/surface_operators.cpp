@@ -30,7 +30,7 @@ namespace
 // 0.6.
 constexpr double failing_cotangents = -4.0;
 
-// Fewest rows per thread.
+// Fewest rows for a thread. Chosen, not measured.
 constexpr Eigen::Index least_turned = 1000;
 
 //! The faces on which the operators are assembled.

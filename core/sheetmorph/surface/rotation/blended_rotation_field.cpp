@@ -14,8 +14,8 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Limit on the entries of stored responses to single vertices. Up to this size, reading them is
-// faster than back-substitution.
+// Limit on the entries of stored responses to single vertices. Chosen, not measured: up to 0.8 MB,
+// reading them is faster than back-substitution.
 constexpr Eigen::Index most_kept = 100000;
 
 // From smoothstep, which makes 3 w^2 = 3e-16 of it: that is rounding.

@@ -18,8 +18,8 @@ namespace
 
 using Kind = ShellMover::Kind;
 
-constexpr Eigen::Index least_elements = 100;  // fewest worth a thread
-constexpr std::size_t chunk = 4096;  // elements whose matrices are in memory simultaneously
+constexpr Eigen::Index least_elements = 100;  // fewest for a thread; chosen, not measured
+constexpr std::size_t chunk = 4096;           // elements in memory at a time; chosen, not measured
 
 Vector3 row_of(const Points& points, int row)
 {

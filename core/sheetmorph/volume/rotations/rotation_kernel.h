@@ -9,7 +9,7 @@ namespace sheetmorph::volume
 //! Some rings side by side, each around a vertex. Vertices are rows of RingPoints.
 struct RingBatch
 {
-    static constexpr int lanes = 8;
+    static constexpr int lanes = 8;  // from the widest register: doubles
 
     int rings = 0;
     std::size_t first = 0;  //!< first spoke of the batch
