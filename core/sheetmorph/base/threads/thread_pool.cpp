@@ -131,7 +131,8 @@ struct ThreadPool::Job
 //! The state that all threads share and keep alive.
 struct ThreadPool::Shared : std::enable_shared_from_this<Shared>
 {
-    //! The newest job with items and free places: it is nested in others, or somebody's frame.
+    //! The newest job with free places and items left: others wait for it, or a user waits for its
+    //! frame.
     std::shared_ptr<Job> take()
     {
         for (auto job = open.rbegin(); job != open.rend(); ++job)

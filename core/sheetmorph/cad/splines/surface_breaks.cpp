@@ -35,7 +35,8 @@ int times_at(const SlopesAt& slopes, double at, double range)
     return largest(after[1] - before[1]) * range > bend * speed ? 2 : 0;
 }
 
-// Breaks with one continuous derivative, in their order, and further ones with two.
+// The places inside the range that need a knot: with a kink, or without a continuous second
+// derivative.
 std::vector<CubicBasis::Break> real_breaks(std::vector<double> places, const SlopesAt& slopes,
                                            double low, double high)
 {

@@ -46,8 +46,8 @@ bool goes_by_neighbours(const Points& places)
     return length <= near_steps * size * std::sqrt(static_cast<double>(steps));
 }
 
-// Takes off `wanted` what the fields (rows, f) blend to, twice, since in float32 they are not quite
-// orthonormal; adds how to the first rows of `shares`.
+// Subtracts from `wanted` its projection on the fields (rows, f), twice, because in float32 they
+// are not quite orthonormal. Adds the coefficients to the first rows of `shares`.
 void take_off(const Eigen::MatrixXd& fields, Eigen::MatrixXd& wanted, Eigen::MatrixXd& shares)
 {
     for (int pass = 0; pass < 2 && fields.cols() > 0; ++pass)
@@ -58,9 +58,9 @@ void take_off(const Eigen::MatrixXd& fields, Eigen::MatrixXd& wanted, Eigen::Mat
     }
 }
 
-// The column that misses most becomes a field, until none misses by more than one (columns are in
-// units of their tolerances) or than their rounding in float32. As many fields as rows miss
-// nothing.
+// Adds fields until no column has an error above one (columns are in units of their tolerances) or
+// above its rounding in float32. Each time, the column with the largest error becomes a field. As
+// many fields as rows leave no error.
 void extend(ResponseFields::Patch& patch, const Eigen::MatrixXd& columns,
             const Eigen::VectorXd& units)
 {
