@@ -135,6 +135,7 @@ void check_propagation(const Assembly& assembly)
     if (propagation.levels < 1 || propagation.levels > 5)
         throw InvalidInput("the control meshes' levels must be from 1 to 5, not "
                            + std::to_string(propagation.levels));
+    // Chosen: beyond, the smoothness or the fit would be lost in rounding.
     if (!(propagation.smoothness >= 1e-12 && propagation.smoothness <= 1e6))
         throw InvalidInput("the control meshes' smoothness must be from 1e-12 to 1e6",
                            "0.05 is usual");

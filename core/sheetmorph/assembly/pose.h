@@ -10,23 +10,23 @@
 namespace sheetmorph::assembly
 {
 
-//! The few numbers that decide every shape: what a document stores and a drag changes.
+//! The few numbers that determine every shape. A document stores them, and a drag changes them.
 struct Pose
 {
-    std::map<std::string, RigidMotion> handles;   //!< no motion where left out
-    std::map<std::string, Vector3> feature_logs;  //!< of prescribed features (2.6); none left out
-    std::map<std::string, surface::PointTarget> points;  //!< every point needs one
+    std::map<std::string, RigidMotion> handles;          //!< no motion if missing
+    std::map<std::string, Vector3> feature_logs;         //!< of prescribed features (2.6)
+    std::map<std::string, surface::PointTarget> points;  //!< every point needs a target
     std::map<std::string, double> sizes;                 //!< mm, of resizable features
 };
 
-//! How a drag prepares its frames.
+//! Options for preparing the frames of a drag.
 struct DragOptions
 {
-    //! Vertices of the assembly from which parts behind contacts learn how they answer: smaller
-    //! ones are substituted in less time than their answers take to put together.
+    //! Fewest vertices of the assembly for which parts behind contacts are sampled. Chosen: for
+    //! fewer, back-substitution is faster than combining responses.
     int least_to_learn = 20000;
 
-    //! Reported to by the background thread; what it throws ends the learning, as any error there.
+    //! The background thread reports to it. An exception ends the sampling, like any error there.
     Progress progress = {};
 };
 

@@ -16,17 +16,17 @@ struct FeatureGroup
     std::vector<int> features;  //!< indices into Assembly::features
 };
 
-//! Two form features, of one part or of two, that keep their common axis or their distance.
+//! Two form features, of one or two parts, that keep their common axis or their distance.
 struct FeaturePair
 {
     std::string name;
     surface::FeatureLinkType type = surface::FeatureLinkType::coaxial;
     int a = 0;  //!< index into Assembly::features
     int b = 0;
-    std::vector<Subject> of = {};  //!< the pair that it mirrors; empty: itself
+    std::vector<Subject> of = {};  //!< the pair that it mirrors; empty for itself
 };
 
-//! A plane the assembly is symmetric about: what one side is told, the other does mirrored.
+//! A plane of symmetry of the assembly: one side follows the other, mirrored.
 struct SymmetryPlane
 {
     Vector3 point = Vector3::Zero();    //!< mm

@@ -4,7 +4,7 @@
 namespace sheetmorph
 {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double degree = pi / 180.0;  //!< radians
+constexpr double pi = 3.14159265358979323846;  //!< from geometry
+constexpr double degree = pi / 180.0;          //!< radians, from geometry
 
 }  // namespace sheetmorph

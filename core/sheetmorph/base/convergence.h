@@ -7,34 +7,33 @@
 namespace sheetmorph
 {
 
-//! How far an answer goes: `live` one substitution, and weights of control meshes in 24 bits (1e-6
-//! of the size or better), `exact` refined on the factored residual, for what is kept or written.
+//! How exact a solution is. `live`: one back-substitution, and weights of control meshes in 24 bits
+//! (1e-6 of the size or better). `exact`: refined on the residual in factored form, for results
+//! that are kept or written.
 enum class Exactness
 {
     live,
     exact
 };
 
-//! How a computation in rounds ended. None gives up in silence: what it returns goes on to the
-//! answer it is part of.
+//! How an iteration ended. Every iteration reports it, because its result enters a larger answer.
 struct Convergence
 {
     const char* what = "";     //!< it settles, for messages: "the turns of form features"
-    bool is_converged = true;  //!< or its rounds ended before
+    bool is_converged = true;  //!< false if the limit on rounds ended it
     int rounds = 0;
-    double miss = 0.0;        //!< what its last round still had to change
+    double miss = 0.0;        //!< size of the last change
     const char* unit = "mm";  //!< of that: "mm", "radians"
 
-    //! The one that is to be told of two that an answer rests on.
+    //! Keeps the worse of two reports.
     void join(const Convergence& other)
     {
         if (is_converged && (!other.is_converged || other.rounds > rounds))
             *this = other;
     }
 
-    //! "the turns of form features have not settled after 100 rounds (the last still changed
-    //! 0.02 radians)";
-    //! empty if they have.
+    //! "the turns of form features have not settled after 100 rounds (the last still changed 0.02
+    //! radians)"; empty if the iteration has converged.
     std::string sentence() const
     {
         std::ostringstream text;

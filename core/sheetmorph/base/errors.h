@@ -10,30 +10,30 @@
 namespace sheetmorph
 {
 
-//! Faults that a caller can mend in a way of its own; all others are `other`.
+//! Faults that a caller can correct in its own way; all others are `other`.
 enum class FaultCode
 {
     other,
-    unheld,   //!< nothing holds a piece of a part
+    unheld,   //!< a piece of a part has no constraint
     overlap,  //!< two regions share vertices and move them differently
     torn      //!< a rigid shape touches regions that move differently
 };
 
-//! What is wrong, with which entries of the assembly, and what to do about it.
+//! What is wrong, which entries of the assembly are affected, and what to do.
 struct Fault
 {
     Text what;
-    std::string todo = {};  //!< empty if the message says it
+    std::string todo = {};  //!< empty if the message includes it
     FaultCode code = FaultCode::other;
-    std::string part = {};         //!< shown in front: the part that it is about
-    std::vector<Subject> on = {};  //!< that part, or several that are solved as one
+    std::string part = {};         //!< name of the part, put first
+    std::vector<Subject> on = {};  //!< the part, or the parts that are solved together
     std::vector<int> ids = {};     //!< (n) the file's number of every vertex; empty: the indices
 
     //! "part 'cover': what is wrong; what to do".
     std::string sentence() const;
 };
 
-//! What the caller gave cannot be used; the text names the part, the ids and what to change.
+//! The input cannot be used. The text names the part, the ids and the remedy.
 class InvalidInput : public std::invalid_argument
 {
 public:
@@ -42,11 +42,11 @@ public:
 
     const Fault& fault() const { return fault_; }
 
-    //! The same with the part's name in front and its vertices as its file numbers them.
+    //! Adds the part's name in front, and shows vertices with the numbers of the file.
     //! \param ids  (n) the file's number of every vertex; empty if they are the indices
     InvalidInput in_part(const std::string& part, const std::vector<int>& ids) const;
 
-    //! The same of a part that was joined of several: `on` are those that it is about.
+    //! The same for parts that are solved together. `on` lists the affected ones.
     InvalidInput in_parts(const std::string& shown, const std::vector<Subject>& on,
                           const std::vector<int>& ids) const;
 
@@ -54,7 +54,7 @@ private:
     Fault fault_;
 };
 
-//! The kernel could not finish a computation whose input was accepted.
+//! The kernel could not finish a computation although its input was valid.
 class SolverError : public std::runtime_error
 {
 public:
@@ -63,14 +63,14 @@ public:
 
     const Fault& fault() const { return fault_; }
 
-    //! The same with the part's name in front.
+    //! Adds the name in front.
     SolverError in_parts(const std::string& shown, const std::vector<Subject>& on) const;
 
 private:
     Fault fault_;
 };
 
-//! The progress callback asked to stop.
+//! The progress callback cancelled the computation.
 class Cancelled : public std::runtime_error
 {
 public:

@@ -8,8 +8,8 @@
 namespace sheetmorph
 {
 
-//! A vertex, facet or row, counted from 0 in the signed numbers of meshes and matrices, as the
-//! index of a standard container. Not for -1, which stands for "none": check that first.
+//! Converts a vertex, facet or row, counted from 0 as a signed number, to the index of a standard
+//! container. Do not pass -1, which stands for "none".
 template <class Signed>
 constexpr std::size_t at(Signed index)
 {

@@ -6,11 +6,11 @@
 namespace sheetmorph
 {
 
-//! The largest number accepted, of a coordinate in mm or pixels or of a direction: no sheet is
-//! larger, and what is computed from them (areas, volumes, squares of both) stays finite.
+//! The largest coordinate, in mm or pixels, or component of a direction. From the range of doubles,
+//! 1.8e308: squares of areas (1e120) and of volumes (1e180) stay finite.
 constexpr double largest_number = 1e30;
 
-//! Whether all entries are finite numbers and small enough to compute with.
+//! Whether all entries are finite and small enough to compute with.
 template <typename Derived>
 bool are_numbers(const Eigen::MatrixBase<Derived>& entries)
 {

@@ -7,12 +7,12 @@
 namespace sheetmorph
 {
 
-//! Tells how far a long computation is, and lets the user stop it.
-//! A default-constructed Progress reports to nobody.
+//! Reports how far a long computation is, and lets the user cancel it. A default-constructed
+//! Progress reports to nobody.
 class Progress
 {
 public:
-    //! Called with a fraction in [0, 1] and what is being done; returns false to cancel.
+    //! Receives a fraction in [0, 1] and the current task; returns false to cancel.
     using Callback = std::function<bool(double fraction, const std::string& task)>;
 
     Progress() = default;
@@ -21,7 +21,7 @@ public:
     //! \throws Cancelled if the callback returns false
     void report(double fraction, const std::string& task) const;
 
-    //! The stretch from `begin` to `end` of this progress, for a sub-task.
+    //! The progress of a sub-task, which covers the range from `begin` to `end` of this one.
     Progress part(double begin, double end) const;
 
 private:

@@ -12,14 +12,15 @@ namespace sheetmorph
 namespace
 {
 
-// The optimal rotation of a covariance matrix; where the points leave it undetermined
-// (all on a line, or all in one place), the smallest turn of the optimal ones.
+// The optimal rotation for a covariance matrix. If the points do not determine it (all on a line,
+// or all in one place), the smallest of the optimal rotations.
 Matrix3 rotation_of_covariance(const Matrix3& covariance)
 {
     const Eigen::JacobiSVD<Matrix3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const Vector3 spread = svd.singularValues();
     if (spread(0) <= 0.0)
         return Matrix3::Identity();
+    // Squares of lengths: the points lie on a line to 1e-5 of its length.
     if (spread(1) <= 1e-10 * spread(0))
         return Eigen::Quaterniond::FromTwoVectors(svd.matrixU().col(0), svd.matrixV().col(0))
             .toRotationMatrix();

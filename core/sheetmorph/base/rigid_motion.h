@@ -6,8 +6,8 @@
 namespace sheetmorph
 {
 
-//! A turn about a pivot, then a shift: p -> pivot + translation + R (p - pivot).
-//! What a pose stores for a handle: the angle is kept beyond half a turn.
+//! A rotation about a pivot, then a translation: p -> pivot + translation + R (p - pivot). A pose
+//! stores one per handle; its angle may exceed half a turn.
 struct RigidMotion
 {
     Vector3 translation = Vector3::Zero();   //!< mm
@@ -16,25 +16,28 @@ struct RigidMotion
 
     Matrix3 rotation() const;
 
-    //! Returns p itself, bit for bit, if the motion is none; p + translation if it does not turn.
+    //! Returns p itself, bit for bit, for the identity, and p + translation without a rotation.
     Vector3 apply(const Vector3& point) const;
 
-    //! Rows of `points` moved.
+    //! Applies the motion to each row.
     Points apply(const Points& points) const;
 };
 
-//! The rigid motion that best takes rows of `from` to rows of `to` (least squares, weights >= 0,
-//! empty for equal ones). Straight and single-point sets take the smallest turn that does it.
+//! The rigid motion that best takes the rows of `from` to the rows of `to`, by least squares. For
+//! collinear points and single points, the smallest rotation that does it.
+//! \param weights  (n), >= 0; empty for equal ones
 RigidMotion best_rigid_motion(const Points& from, const Points& to,
                               const Eigen::VectorXd& weights = {});
 
-//! How strongly a known rotation holds against points that spread little across it: as if every
-//! point had offsets of about a thirtieth of the set's extent.
+//! Stiffness of the known rotation against points that spread little across it. Chosen: as if every
+//! point had offsets of a thirtieth (the root of this) of the extent. A narrower set does not show
+//! its own rotation about its length.
 constexpr double stiffness_of_known_rotation = 1e-3;
 
-//! The same where a rotation is already known approximately: what the points tell weakly or not at
-//! all (a straight row, a narrow strip, a single point) stays as `rotation_log` says.
-//! Exactly the motion for points that move rigidly by that rotation. Its log is near the given one.
+//! The same if a rotation is already known approximately. Where the points determine the rotation
+//! weakly or not at all (a straight row, a narrow strip, a single point), `rotation_log` decides.
+//! Exact for points that move rigidly by that rotation. The log of the result is near the given
+//! one.
 RigidMotion best_rigid_motion_near(const Points& from, const Points& to,
                                    const Vector3& rotation_log);
 

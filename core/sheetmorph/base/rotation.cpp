@@ -14,6 +14,7 @@ namespace sheetmorph
 
 namespace
 {
+// Chosen: 160,000 turns. Rounding of such an angle, 1e-16 of it, is still only 1e-10 radians.
 constexpr double most_radians = 1e6;
 }  // namespace
 
@@ -60,6 +61,7 @@ Vector3 log_from_rotation(const Matrix3& rotation)
 Vector3 nearest_branch(const Vector3& log, const Vector3& reference)
 {
     const double half = log.norm();
+    // From rounding: the axis of so small a rotation has four digits or fewer.
     if (half < 1e-12)
     {
         // The identity: every whole turn about the reference axis is the same rotation.

@@ -57,7 +57,7 @@ Text Text::shortened(const std::string& full, const std::string& brief)
 
 Text& Text::operator+=(const Text& more)
 {
-    const Text added = more;  // may be this one
+    const Text added = more;  // `more` may be this object
     pieces_.insert(pieces_.end(), added.pieces_.begin(), added.pieces_.end());
     for (const Subject& subject : added.subjects_)
         if (std::find(subjects_.begin(), subjects_.end(), subject) == subjects_.end())

@@ -17,7 +17,7 @@ struct Subject
     bool operator==(const Subject& other) const { return kind == other.kind && name == other.name; }
 };
 
-//! A message with its subjects and its vertices, which no reader has to parse from it.
+//! A message with its subjects and its vertices, so that no reader has to parse them.
 class Text
 {
 public:
@@ -36,7 +36,7 @@ public:
     //! "7 vertices (3, 7 and 5 more)"; in short "7 vertices".
     static Text counted(const std::vector<int>& vertices);
 
-    //! Other words where there is no room for numbers.
+    //! Different words for full() and brief().
     static Text shortened(const std::string& full, const std::string& brief);
 
     Text& operator+=(const Text& more);
@@ -51,10 +51,10 @@ public:
     //! The message with the count of its vertices in place of their numbers.
     std::string brief() const;
 
-    //! What it is about, each once, in the order of the message.
+    //! The subjects of the message in order, each once.
     const std::vector<Subject>& subjects() const { return subjects_; }
 
-    //! The vertices that it lists, indices.
+    //! The vertices that the message lists, indices.
     std::vector<int> vertices() const;
 
 private:

@@ -8,14 +8,14 @@
 namespace sheetmorph
 {
 
-//! Sorts vertices, ascending, each once.
+//! Sorts vertices and removes duplicates.
 inline void make_set(VertexIds& vertices)
 {
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 
-//! Adds vertices to a set of them.
+//! Adds vertices to a sorted set.
 inline void merge_into(VertexIds& set, const VertexIds& more)
 {
     set.insert(set.end(), more.begin(), more.end());

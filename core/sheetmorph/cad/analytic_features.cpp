@@ -16,7 +16,8 @@ namespace sheetmorph::cad
 namespace
 {
 
-// Two surfaces of one file are the same within it, relative to the part.
+// Two surfaces of one file are the same within this, relative to the part. From OpenCASCADE, whose
+// readers treat points 1e-7 mm apart as one (Precision::Confusion), on a part of 1 mm.
 constexpr double same_within = 1e-7;
 
 Vector3 across(const CadSurface& surface, const Vector3& point)
@@ -179,7 +180,7 @@ private:
         }
     }
 
-    // Whether some closed border of a group runs around its axis.
+    // Whether a closed border of a group goes around the group's axis.
     bool goes_around(int group, const std::vector<int>& triangles)
     {
         std::map<int, std::vector<int>> next;
@@ -209,7 +210,8 @@ private:
         return false;
     }
 
-    // How often a closed loop, its last vertex the first, runs around an axis.
+    // Number of turns of a closed loop around an axis. The last vertex of the loop equals the
+    // first.
     int turns(const VertexIds& loop, const CadSurface& about) const
     {
         double angle = 0.0;
@@ -221,7 +223,7 @@ private:
         return static_cast<int>(std::lround(angle / (2.0 * M_PI)));
     }
 
-    // The circular holes of a sheet without thickness: the sheet lies outside of them.
+    // The circular holes of a sheet without thickness; the sheet lies outside them.
     void add_rims(std::vector<CadFeature>& found) const
     {
         const double tolerance = same_within * std::max(1.0, part_.mesh.size());

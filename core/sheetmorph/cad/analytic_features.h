@@ -6,8 +6,9 @@
 namespace sheetmorph::cad
 {
 
-//! The holes, cylinders, planes, cones and spheres of a part, taken from the surfaces of its faces:
-//! holes first, then by rising smallest vertex. Faces that continue each other are one feature.
+//! The holes, cylinders, planes, cones and spheres of a part, from the surfaces of its faces. Holes
+//! come first, then the others, ordered by smallest vertex. Faces that continue each other form one
+//! feature.
 std::vector<CadFeature> analytic_features(const CadPart& part);
 
 }  // namespace sheetmorph::cad

@@ -19,7 +19,7 @@ namespace sheetmorph::cad
 namespace
 {
 
-// The faces of a shell that others became.
+// Records for each face which face of the shell replaces it.
 void note_sewn(NamedShape& shell, const std::vector<TopoDS_Shape>& faces,
                const BRepBuilderAPI_Sewing& sewing)
 {
@@ -30,13 +30,14 @@ void note_sewn(NamedShape& shell, const std::vector<TopoDS_Shape>& faces,
             shell.sewn.emplace_back(face, made);
 }
 
-// Faces that lie side by side as shells with common edges.
+// Sews faces that touch to shells with common edges.
 std::vector<NamedShape> sewn(const std::vector<TopoDS_Shape>& faces)
 {
     Bnd_Box box;
     for (const TopoDS_Shape& face : faces)
         BRepBndLib::Add(face, box, false);
     const double size = box.IsVoid() ? 1.0 : std::sqrt(box.SquareExtent());
+    // mm. Chosen: gaps of 1e-5 of the size are exports of surfaces; a gap of 0.05 mm is a fault.
     BRepBuilderAPI_Sewing sewing(std::clamp(1e-5 * size, 1e-4, 0.05));
     for (const TopoDS_Shape& face : faces)
         sewing.Add(face);

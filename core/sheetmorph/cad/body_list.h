@@ -12,37 +12,38 @@
 namespace sheetmorph::cad
 {
 
-//! What a file says of a face besides its surface; empty where it says nothing.
+//! Name and colour of a face in the file; empty if it has none.
 struct FaceTag
 {
     std::string name;
     std::string colour;  //!< "#rrggbb"
 };
 
-//! A solid, or a shell that belongs to none, placed by its location.
+//! A solid, or a shell outside of solids, placed by its location.
 struct NamedShape
 {
-    std::string name;  //!< unique among those of a file
+    std::string name;  //!< unique within a file
     TopoDS_Shape shape;
-    std::vector<FaceTag> faces = {};  //!< in the order of TopExp::MapShapes, or none
+    std::vector<FaceTag> faces = {};  //!< in the order of TopExp::MapShapes; may be empty
     TopLoc_Location placement;        //!< of its product in the assembly
-    int product = 0;                  //!< the place of its product in the order of the assembly
-    std::string own_name;             //!< that its own entity has; empty if none
-    std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> sewn;  //!< faces outside of shells, and here
-    std::vector<std::string> faults = {};                     //!< why it is no valid shape
-    std::vector<std::string> healed = {};  //!< why it was none before it was healed
-    double healed_within = 0.0;            //!< how far healing moved anything, mm
+    int product = 0;                  //!< index of its product in the order of the assembly
+    std::string own_name;             //!< name of its own entity; empty if none
+    std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> sewn;  //!< free faces; sewn
+    std::vector<std::string> faults = {};                     //!< reasons why the shape is invalid
+    std::vector<std::string> healed = {};  //!< reasons why it was invalid before healing
+    double healed_within = 0.0;            //!< largest displacement by healing, mm
 };
 
-//! Collects the bodies of a file under names that are unique.
+//! Collects the bodies of a file under unique names.
 class BodyList
 {
 public:
-    //! The name of one body of a product with several, for example from its solid's entity.
+    //! Returns the name of one body of a product with several bodies, such as the name of its
+    //! solid.
     using BodyName = std::function<std::string(const TopoDS_Shape&)>;
 
-    //! Adds the solids of a shape, its shells outside of solids and, sewn to shells, its faces
-    //! outside of shells.
+    //! Adds the solids of a shape, its shells outside of solids, and its faces outside of shells,
+    //! sewn to shells.
     //! \param shape      of a product
     //! \param placement  of the product
     //! \param name       of the product; several bodies become name.body or name.1, name.2

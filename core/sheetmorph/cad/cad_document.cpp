@@ -12,13 +12,13 @@ namespace sheetmorph::cad
 CadDocument::CadDocument()
 {
     XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document_);
-    // Without it, writers of other units take the millimetres for those.
+    // Otherwise writers in other units would interpret the lengths in their unit, not in mm.
     XCAFDoc_DocumentTool::SetLengthUnit(document_, 1.0, UnitsMethods_LengthUnit_Millimeter);
 }
 
 CadDocument::~CadDocument()
 {
-    document_->Main().Root().ForgetAllAttributes();  // nodes of layers hold each other
+    document_->Main().Root().ForgetAllAttributes();  // nodes of layers refer to each other
     if (document_->IsOpened())
         XCAFApp_Application::GetApplication()->Close(document_);
 }

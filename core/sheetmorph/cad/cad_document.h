@@ -9,7 +9,7 @@
 namespace sheetmorph::cad
 {
 
-//! A document of OpenCASCADE's own application, closed at the end.
+//! A document of OpenCASCADE's own application. Its destructor closes it.
 class CadDocument
 {
 public:
@@ -28,7 +28,7 @@ private:
 //! The name of a product or component in UTF-8; empty if it has none.
 std::string name_of(const TDF_Label& label);
 
-//! Whether somebody gave that name: OpenCASCADE calls what has none after its type.
+//! Whether the name comes from the file. OpenCASCADE names labels without a name after their type.
 bool is_given_name(const std::string& name);
 
 }  // namespace sheetmorph::cad

@@ -11,7 +11,7 @@
 namespace sheetmorph::cad
 {
 
-//! While it lives, OpenCASCADE does not tell the console what it does; nobody asked.
+//! Silences OpenCASCADE's console messages during its lifetime.
 class Silence
 {
 public:
@@ -27,8 +27,8 @@ private:
     Message_SequenceOfPrinters kept_;
 };
 
-//! Does work of OpenCASCADE in silence; what it throws becomes an InvalidInput with these words
-//! around its own.
+//! Runs an OpenCASCADE operation silently. Its exceptions become an InvalidInput with the given
+//! words around their text.
 template <typename Work>
 auto guarded(const std::string& what, const std::string& todo, Work&& work)
 {

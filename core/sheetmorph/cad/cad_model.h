@@ -24,21 +24,21 @@ enum class SurfaceKind
     other
 };
 
-//! The surface under one face of a CAD part, as the file defines it; mm.
+//! The surface of one face of a CAD part, as the file defines it; mm.
 struct CadSurface
 {
     SurfaceKind kind = SurfaceKind::other;
-    Vector3 point = Vector3::Zero();  //!< on a plane, on the axis, a cone's apex, a centre
-    Vector3 axis = Vector3::UnitZ();  //!< of length 1; a plane's normal
-    double radius = 0.0;              //!< cylinder, sphere, torus (of the circle of centres)
-    double minor_radius = 0.0;        //!< torus (of the tube)
+    Vector3 point = Vector3::Zero();  //!< point of a plane or on an axis, apex, or centre
+    Vector3 axis = Vector3::UnitZ();  //!< length 1; the normal of a plane
+    double radius = 0.0;              //!< cylinder, sphere, torus (circle of centres)
+    double minor_radius = 0.0;        //!< torus (tube)
     double half_angle = 0.0;          //!< cone: between axis and surface, radians, > 0
-    double fit_error = 0.0;           //!< 0 if the file says so, else how well a spline is it
-    std::string name = {};            //!< of the face in the file, empty if it has none
-    std::string colour = {};          //!< "#rrggbb", the same
+    double fit_error = 0.0;           //!< deviation of a spline; 0 if exact in the file
+    std::string name = {};            //!< of the face in the file; empty if it has none
+    std::string colour = {};          //!< "#rrggbb"; empty if it has none
 };
 
-//! A circle that the file draws as edges of a part.
+//! A circle that a part's edges form in the file.
 struct CadCircle
 {
     Vector3 centre = Vector3::Zero();
@@ -56,8 +56,8 @@ enum class CadFeatureKind
     sphere
 };
 
-//! Neighbouring faces of a part that are one shape, from their surfaces: exact to rounding. A hole
-//! is a hollow cylinder all around, or a circular border inside a sheet without thickness.
+//! Neighbouring faces of a part that form one shape, from their surfaces; exact to rounding. A hole
+//! is a complete hollow cylinder, or a circular border inside a sheet without thickness.
 struct CadFeature
 {
     CadFeatureKind kind = CadFeatureKind::plane;
@@ -66,41 +66,41 @@ struct CadFeature
     double radius = 0.0;               //!< 0 for a plane and a cone, mm
     double half_angle = 0.0;           //!< of a cone, radians
     double length = 0.0;               //!< along the axis, 0 for plane and sphere, mm
-    bool is_hollow = false;            //!< curved, and seen from inside
+    bool is_hollow = false;            //!< curved, with the material outside
     VertexIds vertices;                //!< of the faces and their borders, ascending
     double residual = 0.0;             //!< largest distance of a vertex from the surface, mm
 };
 
-//! One solid, or one shell that belongs to none.
+//! A solid, or a shell outside of solids.
 struct CadPart
 {
     std::string name;  //!< from the file, made unique
     mesh::TriangleMesh mesh;
     std::vector<int> face_of_triangle;  //!< (m) index into `surfaces`
-    std::vector<CadSurface> surfaces;   //!< one a face
+    std::vector<CadSurface> surfaces;   //!< one per face
     std::vector<CadCircle> circles;
-    bool is_closed = false;          //!< every edge has two triangles; they look outwards then
-    double deviation = 0.0;          //!< largest distance found between mesh and surfaces, mm
-    std::vector<int> skipped_faces;  //!< faces that could not be meshed, ascending
-    std::vector<std::string> faults = {};  //!< why its shape is not valid, a few words each
-    std::vector<std::string> healed = {};  //!< the same before it was healed
-    double healed_within = 0.0;            //!< how far that moved anything, mm
-    Convergence convergence = {};  //!< of the face whose meshing took most rounds, or did not end
-    std::shared_ptr<const ShapeMesh> known;  //!< shared by instances of one product
+    bool is_closed = false;                //!< every edge has two triangles, which face outwards
+    double deviation = 0.0;                //!< largest distance between mesh and surfaces, mm
+    std::vector<int> skipped_faces;        //!< faces that were not meshed, ascending
+    std::vector<std::string> faults = {};  //!< reasons why its shape is invalid, a few words each
+    std::vector<std::string> healed = {};  //!< the same, before healing
+    double healed_within = 0.0;            //!< largest displacement by healing, mm
+    Convergence convergence = {};          //!< of the face whose meshing took most rounds or failed
+    std::shared_ptr<const ShapeMesh> known;  //!< instances of one product share it
 };
 
-//! What a CAD file holds, placed as in its assembly; mm.
+//! The contents of a CAD file, placed as in its assembly; mm.
 struct CadModel
 {
     std::vector<CadPart> parts;
-    double edge = 0.0;                        //!< what was meshed with, see CadMeshing
-    double deflection = 0.0;                  //!< the same
-    double angle = 0.0;                       //!< the same
-    std::shared_ptr<const CadSource> source;  //!< what was read, to be written with other shapes
-    int lost_faces = 0;                       //!< faces in the file that no part has: unreadable
-    std::vector<std::string> lost_in;         //!< solids of a STEP file that lack some of them
-    std::vector<std::string> unread;  //!< entities of a STEP file with values that make no sense:
-                                      //!< the number of each, and why
+    double edge = 0.0;                        //!< used sizes, see CadMeshing
+    double deflection = 0.0;                  //!< used
+    double angle = 0.0;                       //!< used
+    std::shared_ptr<const CadSource> source;  //!< what was read, to write it with other shapes
+    int lost_faces = 0;                       //!< faces of the file that OpenCASCADE could not read
+    std::vector<std::string> lost_in;         //!< solids that lack some of these faces
+    std::vector<std::string> unread;          //!< entities of a STEP file with impossible values:
+                                              //!< number and reason
 };
 
 }  // namespace sheetmorph::cad

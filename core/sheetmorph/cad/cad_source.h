@@ -10,17 +10,17 @@
 namespace sheetmorph::cad
 {
 
-//! What was read of a CAD file: its solids and free shells in the order in which its assembly lists
-//! them, and the document with names, colours and layers that they stand in.
+//! The data of a CAD file: its solids and free shells, in the order of its assembly, and the
+//! document with their names, colours and layers.
 struct CadSource
 {
-    std::vector<NamedShape> bodies;  //!< lengths in mm, faces that belong to no shell sewn
+    std::vector<NamedShape> bodies;  //!< lengths in mm; free faces are sewn
     CadDocument document;
-    std::string unit = "MM";           //!< of the lengths in the file, as OpenCASCADE names it
-    bool is_ap242 = false;             //!< the schema of a STEP file
-    int lost_faces = 0;                //!< faces that the file holds and OpenCASCADE could not make
-    std::vector<std::string> lost_in;  //!< solids of a STEP file that lack some: name or number
-    std::vector<std::string> unread;   //!< entities of a STEP file with values that make no sense
+    std::string unit = "MM";           //!< of lengths in the file, as OpenCASCADE names it
+    bool is_ap242 = false;             //!< schema of a STEP file
+    int lost_faces = 0;                //!< faces of the file that OpenCASCADE could not read
+    std::vector<std::string> lost_in;  //!< solids that lack some of these faces: name or number
+    std::vector<std::string> unread;   //!< entities of a STEP file with impossible values
 };
 
 }  // namespace sheetmorph::cad

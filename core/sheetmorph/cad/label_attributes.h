@@ -11,25 +11,25 @@
 namespace sheetmorph::cad
 {
 
-//! What became of the parts of a shape.
+//! The images of the parts of a shape.
 struct PartImages
 {
     TopTools_DataMapOfShapeShape one;
-    //! Faces that were divided from others, after the face that each was of.
+    //! Pairs of an original face and a face that was divided from it.
     std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> washers;
 
-    //! All that a part is now.
+    //! All images of a part.
     std::vector<TopoDS_Shape> of(const TopoDS_Shape& part) const;
 };
 
-//! Gives a product or component of a document a name in UTF-8.
+//! Sets the name of a product or component of a document, in UTF-8.
 void set_name(const TDF_Label& label, const std::string& name);
 
 //! Copies colours, layers, material and visibility to a label of another document.
 void copy_attributes(const TDF_Label& from, const TDF_Label& to);
 
-//! The same and the names of all faces, edges, ... of a product that have some; their images are in
-//! the other product.
+//! The same, with the names of all named faces, edges, ... of a product. Their images are in the
+//! other product.
 void copy_parts(const TDF_Label& from, const TDF_Label& to, const PartImages& images,
                 const Handle(XCAFDoc_ShapeTool) & shapes);
 

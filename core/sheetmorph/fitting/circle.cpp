@@ -18,11 +18,13 @@ namespace sheetmorph::fitting
 namespace
 {
 
-// Width over length below which points count as collinear.
+// Width over length below which points count as collinear. From rounding: the direction of their
+// plane is exact to 1e-16 over this ratio, 1e-8 radians at the limit.
 constexpr double straightest = 1e-8;
 
-// Least enclosed area over squared radius of a rim (a hexagon has 2.6). The border of a narrow
-// curved strip has less: it follows an arc of a large circle and returns close to it.
+// Least enclosed area over squared radius of a rim. From geometry: a square has 2.0, a hexagon 2.6.
+// The border of a narrow curved strip has less: it follows an arc of a large circle and returns
+// close to it.
 constexpr double least_area = 2.0;
 
 // Frame of the best-fitting plane; columns: two directions in the plane, and its normal.
@@ -56,6 +58,7 @@ Stadium algebraic_circle(const PlanePoints& points)
 Vector3 oriented_axis(const Vector3& normal, const Points& offsets)
 {
     const double sense = normal.dot(doubled_area(offsets));
+    // Chosen: points of an arc in any order enclose about nothing; their rounding is 1e-16.
     if (std::abs(sense) > 1e-6 * offsets.squaredNorm())
         return sense > 0.0 ? normal : Vector3(-normal);
     Eigen::Index largest = 0;

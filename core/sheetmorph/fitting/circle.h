@@ -19,7 +19,8 @@ struct CircleFit
     Convergence convergence = {};  //!< not converged if the points are nearly collinear
 };
 
-//! Fewest points of a rim that can be a circle or a slot.
+//! Fewest points of a rim that can be a circle or a slot. From the unknowns of a slot: its centre
+//! (2), angle, length and width are five.
 constexpr int fewest_rim_points = 6;
 
 //! Area vector of a closed polygon: its normal times twice its area, mm^2.

@@ -31,7 +31,9 @@ struct Outline
     double tolerance = 0.0;  //!< largest distance allowed between a point and the outline, mm
 };
 
-//! Default of `roundness` in fit_outline(), no unit.
+//! Default of `roundness` in fit_outline(), no unit. From geometry: the sagitta of a hexagon is
+//! 0.134 of the radius, so a vertex at the middle of a side of a hexagon is out and one of a
+//! heptagon (0.099) is in.
 constexpr double default_roundness = 0.12;
 
 //! Fits the simplest outline to a closed loop: a circle or slot within the tolerance of its

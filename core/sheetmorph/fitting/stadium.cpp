@@ -15,7 +15,8 @@ namespace
 {
 
 // Limits of the iteration; step lengths are relative to the size of the outline. A step below
-// `tolerance` has converged; one below `rounding` is numerically zero.
+// `tolerance` has converged: from the accuracy of 1e-9 that SheetMorph promises. One below
+// `rounding`, from doubles, is zero. Rims take 3 to 10 iterations, so 100 are never reached by one.
 constexpr int most_iterations = 100;
 constexpr double tolerance = 1e-9;
 constexpr double rounding = 1e-16;

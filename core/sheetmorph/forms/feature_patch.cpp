@@ -118,7 +118,7 @@ std::vector<VertexIds> FeaturePatch::border_loops() const
 // The rims of a hole through a solid lie inside the rings of washer around it.
 void FeaturePatch::add_sharp_loops()
 {
-    constexpr double sharp = 0.6;  // radians, as crease_angle of the feature search
+    constexpr double sharp = 0.6;  // radians, from FeatureTolerances::crease_angle
     const std::vector<char> is_inside = marked(feature_);
     const std::vector<VertexIds> known = loops_;
     for (const VertexIds& loop : mesh::crease_loops(mesh_, mesh::EdgeTable(mesh_), sharp))

@@ -56,6 +56,9 @@ double TriangleMesh::size() const
 double exactness(const Points& points, double size)
 {
     const double largest = points.rows() ? points.cwiseAbs().maxCoeff() : 0.0;
+    // Chosen: refined solves of a prototype were exact to 4e-14 of the size at 490,000 vertices.
+    // Coordinates far from the origin are themselves exact to an epsilon, and a few operations add
+    // to it.
     return 1e-12 * size + 8.0 * std::numeric_limits<double>::epsilon() * largest;
 }
 

@@ -12,11 +12,13 @@ namespace sheetmorph::numerics
 namespace
 {
 
-// Refinement ends when the next step would change the answer by less than this, relatively, or one
-// changed it more than half as much as the one before: then rounding is all that is left.
+// Relative change of the answer at which refinement ends. From rounding: about 5 units of the last
+// digit. Refinement also ends after a step that shrank by less than half, because only rounding is
+// left then.
 constexpr double settled = 1e-15;
 
-// Left to change, relatively, of an answer that counts as found.
+// Relative change that a converged answer may still need. From the accuracy that SheetMorph
+// promises: rigid motions to 1e-9 of the size (mathematics.md, section 8).
 constexpr double found_to = 1e-9;
 
 double largest(const Eigen::MatrixXd& matrix)
@@ -32,8 +34,8 @@ SparseMatrix supporting_rows(const SparseMatrix& constraints, const std::vector<
     return pick * constraints;
 }
 
-// A constraint that carries a part's position enters the factor with a weight as large as the
-// energy's own stiffness; the minimum under the exact constraint does not depend on it.
+// Constraints that determine a part's position enter the factor with a weight as large as the
+// stiffness of the energy. The minimum under the exact constraints does not depend on this weight.
 double support_weight(const QuadraticProblem& problem)
 {
     if (problem.supporting.empty() || problem.basis.cols() == 0)
@@ -58,7 +60,7 @@ MergedMatrix reduced_hessian(const QuadraticProblem& problem, double support)
     return hessian;
 }
 
-// A^T diag(w) A, dense: a product row by row, since rows have few entries.
+// A^T diag(w) A, dense, row by row, because rows have few entries.
 Weights weighted_squares(const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows,
                          const Eigen::VectorXd& weights)
 {
@@ -106,12 +108,14 @@ void ConstrainedMinimiser::factor_schur_complement()
     const Eigen::MatrixXd complement = reduced_constraints_ * responses_;
     scale_ = complement.diagonal().unaryExpr(
         [](double stiffness) { return stiffness > 0.0 ? 1.0 / std::sqrt(stiffness) : 0.0; });
+    // The rows have unit length. Chosen between the rounding of redundant constraints (1e-15) and
+    // the pivots of independent ones, which a condition of 1e6 would lower to 1e-12.
     schur_.setThreshold(1e-12);
     schur_.compute(scale_.asDiagonal() * complement * scale_.asDiagonal());
 }
 
-// Solves [H G^T; G 0] [y; m] = [gradient; violation]. The factor may be of
-// H + s G_s^T G_s, whose right side then gains s G_s^T violation_s.
+// Solves [H G^T; G 0] [y; m] = [gradient; violation]. The factor may be that of H + s G_s^T G_s.
+// Then s G_s^T violation_s is added to the right-hand side.
 ConstrainedMinimiser::Step ConstrainedMinimiser::correct(const Eigen::MatrixXd& gradient,
                                                          const Eigen::MatrixXd& violation) const
 {
@@ -184,9 +188,9 @@ ConstrainedMinimiser::Solution ConstrainedMinimiser::minimum(const Targets& targ
     return {std::move(u), std::move(multipliers), convergence};
 }
 
-// With A = B offset - f, b = -S^T B^T W A and v = -C offset it is A^T W A - q, and q (b, v) that of
-// the saddle point: b^T H^-1 b where there are no constraints. What the factor has of supporting
-// ones, s, goes to b as in correct(), and is taken off again.
+// With A = B offset - f, b = -S^T B^T W A and v = -C offset, the energy is A^T W A - q. Here q (b,
+// v) is the value at the saddle point, b^T H^-1 b without constraints. As in correct(), the part s
+// of supporting constraints in the factor is added to b, and subtracted again.
 Weights ConstrainedMinimiser::energies(const SparseMatrix& rows, const SparseMatrix& offset) const
 {
     const SparseMatrix unyielding = problem_.rows * offset - rows;

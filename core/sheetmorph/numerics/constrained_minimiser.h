@@ -9,31 +9,31 @@
 namespace sheetmorph::numerics
 {
 
-//! The parts of a quadratic energy that no pose changes.
+//! The parts of a quadratic energy that do not depend on the pose.
 struct QuadraticProblem
 {
     SparseMatrix rows;         //!< B (r, n)
     Eigen::VectorXd weights;   //!< w (r), positive
-    SparseMatrix basis;        //!< S (n, y): u = S y + offset, one entry 1 a row at most
+    SparseMatrix basis;        //!< S (n, y): u = S y + offset, at most one entry 1 per row
     SparseMatrix constraints;  //!< C (c, n), may have no rows
 
-    //! Constraints, by row, without which the energy alone would not be positive definite.
+    //! Rows of the constraints without which the energy would not be positive definite.
     std::vector<int> supporting;
 
-    //! B^T diag(w) B (n, n); computed if it is not there.
+    //! B^T diag(w) B (n, n); computed if missing.
     std::shared_ptr<const SparseMatrix> stiffness;
 
-    //! Of the stiffness: the order of elimination.
+    //! Order of elimination of the stiffness.
     std::shared_ptr<const SeparatorTree> tree;
 };
 
-//! Minimises sum_r w_r |(B u - f)_r|^2 over u = S y + offset subject to C u = c (2.10).
-//! Constraints by elimination; the few rows of C through a Schur complement over the same factor.
+//! Minimises sum_r w_r |(B u - f)_r|^2 over u = S y + offset subject to C u = c (2.10). The basis S
+//! eliminates most constraints. The few rows of C use a Schur complement over the same factor.
 class ConstrainedMinimiser
 {
 public:
-    //! \param earlier  of the same stiffness and tree, with another basis: what does not change is
-    //!                 taken over
+    //! \param earlier  optional, of the same stiffness and tree with another basis; unchanged parts
+    //!     are reused
     //! \throws SolverError if the energy has no unique minimum
     explicit ConstrainedMinimiser(QuadraticProblem problem,
                                   const ConstrainedMinimiser* earlier = nullptr);
@@ -49,10 +49,10 @@ public:
     {
         Eigen::MatrixXd u;             //!< (n, k)
         Eigen::MatrixXd multipliers;   //!< (c, k) of C u = c
-        Convergence convergence = {};  //!< of more refinements than one
+        Convergence convergence = {};  //!< of the refinement
     };
 
-    //! What is left at a minimum: forces vanish on everything the basis can move.
+    //! The residual at a minimum. Forces vanish in all directions of the basis.
     struct Balance
     {
         Eigen::MatrixXd residual;  //!< (r, k) B u - f
@@ -60,19 +60,21 @@ public:
     };
 
     //! \param refinements  most steps of iterative refinement on the residual in factored form;
-    //!                     fewer are taken once they change nothing that counts
-    //! \returns u (n, k); redundant constraints are met, contradicting ones in the mean: compare
-    //!          C u with c (constraint_error) where they can occur
+    //!     fewer if they no longer change the result
+    //! \returns u (n, k). Redundant constraints are met, contradicting ones on average; if they can
+    //!     occur, check with constraint_error().
     Eigen::MatrixXd solve(const Targets& targets, int refinements) const;
 
-    //! The same with what balance() needs.
+    //! The same, with the data for balance().
     Solution minimum(const Targets& targets, int refinements) const;
 
     Balance balance(const Targets& targets, const Solution& solution) const;
 
-    //! Of the columns of sparse targets, C u = 0: what the energy at their minima is in any blend
-    //! of them, (B u - f)^T W (B u - f), to rounding of what it would be if nothing yielded. \param
-    //! rows    f (r, k) \param offset  (n, k) \returns       (k, k), symmetric
+    //! Energies at the minima for sparse targets with C u = 0, for all pairs of columns: (B u -
+    //! f)^T W (B u - f), exact to rounding of the energy of a rigid sheet.
+    //! \param rows    f (r, k)
+    //! \param offset  (n, k)
+    //! \returns        (k, k), symmetric
     Weights energies(const SparseMatrix& rows, const SparseMatrix& offset) const;
 
     //! (c) largest violation of each constraint by u.

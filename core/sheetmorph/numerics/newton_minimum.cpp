@@ -13,8 +13,15 @@ namespace sheetmorph::numerics
 namespace
 {
 
+// Chosen: the last step is 2^-30, a billionth of the whole, as short as a converged one.
 constexpr int most_halvings = 30;
-constexpr double sufficient = 1e-4;  // Armijo: of the decrease that the slope promises
+
+// Share of the decrease that the slope promises (Armijo's condition); from Nocedal and Wright,
+// Numerical Optimization, 2006, section 3.1.
+constexpr double sufficient = 1e-4;
+
+// Chosen: a step ten times shorter than the one before shows quadratic convergence. Linear
+// convergence is rarely so fast.
 constexpr double tenfold = 0.1;
 
 class Descent
@@ -41,7 +48,7 @@ public:
     }
 
 private:
-    //! Takes one step. False: there is no use in another one.
+    //! Takes one step. Returns false if another one is useless.
     bool round(Convergence& found)
     {
         const double before = length_;
@@ -74,7 +81,7 @@ private:
         return false;
     }
 
-    // Steps that shrink no more show the rounding of the gradient.
+    // Whether the step shows the rounding of the gradient, because steps no longer shrink.
     bool is_noise(double length, double before) const
     {
         return limits_.squares_below > 0.0 && length <= limits_.settled && length > 0.5 * before;
@@ -86,7 +93,8 @@ private:
         return before < limits_.squares_below && length < tenfold * before && left <= limits_.left;
     }
 
-    //! How much of a step was taken: 1, a half, a quarter ...; 0: none of it lowers the value.
+    //! The share of the step that was taken: 1, a half, a quarter ...; 0 if no share lowers the
+    //! value.
     double taken_share(const NewtonStep& step, int model)
     {
         const double here = values_.back();
@@ -114,7 +122,7 @@ private:
     NewtonProblem& problem_;
     const NewtonLimits& limits_;
     std::deque<double> values_;
-    double length_ = std::numeric_limits<double>::infinity();  // of the last whole exact step
+    double length_ = std::numeric_limits<double>::infinity();  // of the last exact step
 };
 
 }  // namespace

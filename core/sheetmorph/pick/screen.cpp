@@ -15,9 +15,12 @@ namespace sheetmorph::pick
 namespace
 {
 
-constexpr int rows_of_an_outline = 256;
-constexpr double margin = 1e-6;        // px, far above rounding; shifts the planes outwards
-constexpr double depth_margin = 1e-9;  // likewise, in depth
+constexpr int rows_of_an_outline = 256;  // chosen: a row of a full screen is about four pixels
+
+// Pixels, and depth from -1 to 1: margins that shift the planes outwards. From rounding: places on
+// a screen of 1e4 pixels are exact to 1e-12, depths to 1e-16. Chosen a million times larger.
+constexpr double margin = 1e-6;
+constexpr double depth_margin = 1e-9;
 
 }  // namespace
 

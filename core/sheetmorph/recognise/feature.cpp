@@ -24,6 +24,8 @@ FeatureKind hole_kind(fitting::OutlineKind outline)
 
 FeatureKind raised_kind(double length, double width)
 {
+    // Length over width. Chosen: a bead stiffens along its length; a shorter one is an emboss.
+    // Measured: at 1 the round boss of Features.ABlindHoleGoesIntoTheMaterial... is a bead.
     constexpr double shortest_bead = 2.0;
     return length >= shortest_bead * width ? FeatureKind::bead : FeatureKind::emboss;
 }

@@ -17,7 +17,7 @@ namespace
 {
 
 // Minimum share of a piece's surface that belongs to sheets. The rest is small bodies that touch
-// it.
+// it. Chosen: a piece is a sheet if most of it is.
 constexpr double least_share = 0.5;
 
 // Pairs (local thickness of a skin in mm, area it represents in mm^2), ascending.
@@ -65,6 +65,7 @@ void look_at(const mesh::TriangleMesh& mesh, const ThinSolid& solid,
     const Samples samples = thicknesses(mesh, solid, triangles);
     if (samples.empty())
         return;
+    // Chosen: 5 % at either end are rims, walls and misses.
     piece.thinnest = quantile(samples, 0.05);
     piece.thickest = quantile(samples, 0.95);
 }

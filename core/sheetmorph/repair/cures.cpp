@@ -2,6 +2,7 @@
 #include "sheetmorph/repair/cures.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/mesh/geometry/thinness.h"
 #include "sheetmorph/mesh/search/near_vertices.h"
 #include "sheetmorph/mesh/topology/orientation.h"
 #include "sheetmorph/repair/inner_walls.h"
@@ -20,13 +21,17 @@ namespace sheetmorph::repair
 namespace
 {
 
-// Lower triangles are removed. Merely thin triangles stay, because they connect their neighbours.
-constexpr double least_height = 1e-3;  // relative to the tolerance
+// Relative to the tolerance for merging vertices. Lower triangles are removed. Merely thin
+// triangles stay, because they connect their neighbours. Chosen: a triangle a thousandth as high as
+// the tolerance is a line within what the user allows to merge.
+constexpr double least_height = 1e-3;
 
-// Height over longest edge: rounding dominates the area of a lower facet.
-constexpr double flat = 1e-5;
+// Height over longest edge, from mesh::thinnest_triangle: rounding dominates the area of a lower
+// facet.
+constexpr double flat = mesh::thinnest_triangle;
 
 // Limit on rounds. A round removes every flat facet that is not next to another removed one.
+// Chosen: a fan of 100 flat facets is removed; CAD systems write none so large.
 constexpr int flat_rounds = 100;
 
 struct Facet

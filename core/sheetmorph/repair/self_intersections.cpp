@@ -82,7 +82,9 @@ private:
     // sheets.
     bool has_clear_plane_between() const
     {
-        constexpr double rounding = 1e-12;  // relative; thousands of times the rounding error
+        // Relative. From rounding: some products of coordinates, 1e-15. Chosen a thousand times
+        // larger, because exact predicates decide the rest.
+        constexpr double rounding = 1e-12;
         const Vector3& origin = p_[0];
         const auto ahead = [&](const Places& places)
         {

@@ -17,7 +17,7 @@ namespace sheetmorph::volume
 namespace
 {
 
-constexpr int corner_count = 8;
+constexpr int corner_count = 8;  // from geometry: a cube
 
 // Corner k of a quad is followed by corner k + 1; seen from outside, counterclockwise. After the
 // first subdivision a quad is (old vertex, edge point, face point, edge point).
@@ -36,8 +36,8 @@ Quads cube()
             {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 }
 
-// The connectivity of one Catmull-Clark step. Its positions are not needed: the smoothing, with
-// uniform weights and the corners held, has one solution whatever it starts from.
+// The connectivity of one Catmull-Clark step. Positions are not needed: the smoothing has uniform
+// weights and prescribed corners, so its solution is unique.
 Quads subdivide(const Quads& coarse)
 {
     std::map<std::pair<int, int>, int> edge_points;
@@ -61,7 +61,7 @@ Quads subdivide(const Quads& coarse)
     return fine;
 }
 
-// The diagonal from the old vertex to the face point keeps every mirror symmetry of the cube.
+// The diagonal from the old vertex to the face point preserves every mirror symmetry of the cube.
 Triangles split(const Quads& quads)
 {
     Triangles triangles(2 * quads.faces.size(), 3);
@@ -83,7 +83,7 @@ Eigen::SparseMatrix<double> uniform_laplacian(const Quads& quads)
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < quads.vertex_count; ++i)
         entries.emplace_back(i, i, 1.0);
-    // Each edge is met once in each direction, so each neighbour once.
+    // Each edge occurs once in each direction, so each neighbour occurs once.
     for (const Quad& face : quads.faces)
         for (int k = 0; k < 4; ++k)
             entries.emplace_back(face[k], face[(k + 1) % 4], -1.0 / valence[face[k]]);
@@ -92,8 +92,8 @@ Eigen::SparseMatrix<double> uniform_laplacian(const Quads& quads)
     return laplacian;
 }
 
-// (3.1) with the corners held hard: min sum |L q|^2. Read as printed, with the corners as soft
-// terms, a box of half-size 1 collapses to a point.
+// (3.1) with hard constraints at the corners: min sum |L q|^2. As printed, with soft terms for the
+// corners, a box of half-size 1 collapses to a point.
 Points smooth(const Eigen::SparseMatrix<double>& laplacian)
 {
     const int count = static_cast<int>(laplacian.rows()), unknown = count - corner_count;

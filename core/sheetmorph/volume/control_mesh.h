@@ -11,10 +11,10 @@
 namespace sheetmorph::volume
 {
 
-//! The one shape of which every control mesh is an affine image: a cube after Catmull-Clark
-//! subdivision and constrained smoothing (3.1), in the cube's own frame.
-//! Closed, oriented outwards, encloses the cube [-1, 1]^3 and has its corners as vertices 0 to 7;
-//! symmetric under every turn and mirror image of the cube. Copies share their arrays.
+//! The shape of which every control mesh is an affine image: a cube after Catmull-Clark subdivision
+//! and constrained smoothing (3.1), in the cube's own frame. It is closed, oriented outwards and
+//! encloses the cube [-1, 1]^3, whose corners are its vertices 0 to 7. It has all symmetries of the
+//! cube. Copies share their arrays.
 class ControlShape
 {
 public:
@@ -22,14 +22,15 @@ public:
     //! \throws InvalidInput for other levels
     explicit ControlShape(int levels = 3);
 
-    //! The same, made once for all who ask.
+    //! The same, computed once and shared.
     static const ControlShape& shared(int levels);
 
     const Points& vertices() const { return arrays_->vertices; }
     const Triangles& triangles() const { return arrays_->triangles; }
     int vertex_count() const { return static_cast<int>(vertices().rows()); }
 
-    //! (m, m) uniform Laplacian on the subdivided quads: q_i - mean of its neighbours; no unit.
+    //! (m, m) uniform Laplacian on the subdivided quads: q_i minus the mean of its neighbours; no
+    //! unit.
     const Eigen::SparseMatrix<double>& laplacian() const { return arrays_->laplacian; }
 
 private:
@@ -49,7 +50,7 @@ struct ControlMesh
 
     ControlShape shape;
     OrientedBox box;
-    Points vertices;  //!< (m, 3) mm, rows as the shape's
+    Points vertices;  //!< (m, 3) mm, in the order of the shape
 };
 
 }  // namespace sheetmorph::volume

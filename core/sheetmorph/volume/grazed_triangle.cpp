@@ -14,10 +14,12 @@ using Real = long double;
 using Vector = Eigen::Matrix<Real, 3, 1>;
 using Square = Eigen::Matrix<Real, 3, 3>;
 
-// Elevation above the plane below which the third direction of the weights is rounding only.
+// Elevation of the point above the triangle's plane. Weights divide by it. From rounding: long
+// doubles (1e-19) keep ten digits at this elevation, and the limit in the plane, flat_weights(),
+// differs from the weights there by about the elevation.
 constexpr Real flat = 1e-9L;
 
-// Columns: the corners seen from the point.
+// Columns of `corner`: the corners relative to the point.
 Vector closest_on_edge(const Square& corner, int from, int to)
 {
     const Vector edge = corner.col(to) - corner.col(from);
@@ -54,8 +56,8 @@ Vector closest_on_triangle(const Square& corner)
     return best;
 }
 
-// Seen from the point: unit directions to the corners, their distances, the cross products of the
-// directions and the integral m of the unit normal over the spherical triangle.
+// A triangle as seen from the point: unit directions to the corners, their distances, the cross
+// products of the directions, and the integral m of the unit normal over the spherical triangle.
 struct View
 {
     explicit View(const Square& corner);
@@ -82,8 +84,8 @@ View::View(const Square& corner)
     }
 }
 
-// In the plane, outside: m has no part along the normal, and the smallest weights y with
-// sum y_k u_k = m are the limit; the vector form would divide rounding by rounding.
+// In the plane, outside the triangle: m has no component along the normal, and the limit is the
+// smallest weights y with sum y_k u_k = m. The vector form would divide rounding by rounding.
 Vector flat_weights(const View& view)
 {
     int widest = 0;

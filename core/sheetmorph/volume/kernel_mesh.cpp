@@ -20,7 +20,7 @@ namespace
         "every edge needs two triangles that run along it in opposite directions");
 }
 
-// Numbers the edges; each must come once in each direction.
+// Numbers the edges; each must occur once in each direction.
 class EdgeNumbers
 {
 public:

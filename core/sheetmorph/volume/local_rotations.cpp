@@ -20,7 +20,8 @@ namespace sheetmorph::volume
 namespace
 {
 
-// Below this share of its edges' squares, the area of a ring is rounding.
+// Area of a ring over the sum of its squared edges. Chosen far above the rounding of an area
+// (1e-16) and far below a needle with a height of 1e-5 of its length.
 constexpr double no_area = 1e-10;
 
 Vector3 arm(const Points& points, int from, int to)
@@ -28,7 +29,7 @@ Vector3 arm(const Points& points, int from, int to)
     return (points.row(to) - points.row(from)).transpose();
 }
 
-// Triangles of one ring that are oriented against the first ones, turned round: without this the
+// Reverses the triangles of one ring that are oriented against the first ones. Otherwise the
 // normals of a badly oriented mesh would cancel.
 std::vector<int> same_sided(const Points& points, int vertex, std::vector<int> others)
 {
@@ -44,7 +45,7 @@ std::vector<int> same_sided(const Points& points, int vertex, std::vector<int> o
     return others;
 }
 
-// The sides opposite to a vertex, two ends each, joined end to end as far as they go.
+// The sides opposite to a vertex, two ends each, joined to chains that are as long as possible.
 std::vector<int> chained(std::vector<int> sides, std::vector<int>& ends)
 {
     std::vector<int> others;
@@ -83,7 +84,7 @@ std::vector<int> chained(std::vector<int> sides, std::vector<int>& ends)
     return others;
 }
 
-// The neighbours of a vertex in every triangle around.
+// The two other corners of every triangle around a vertex.
 std::vector<int> ring_of(const mesh::PartGeometry& part, int vertex)
 {
     const Triangles& triangles = part.mesh().triangles();
@@ -99,7 +100,7 @@ std::vector<int> ring_of(const mesh::PartGeometry& part, int vertex)
     return others;
 }
 
-// Weights with the sum 1; equal ones where there are none.
+// Weights with the sum 1; equal weights if none are given.
 Eigen::VectorXd shares(const Eigen::VectorXd& weights, Eigen::Index count)
 {
     const bool is_weighted = weights.size() == count && weights.sum() > 0.0;
@@ -108,7 +109,7 @@ Eigen::VectorXd shares(const Eigen::VectorXd& weights, Eigen::Index count)
     return share / share.sum();
 }
 
-// Of the last ring of a batch.
+// Computes the moments of the last ring of a batch.
 void set_moments(RingBatch& batch, Matrix3 moments, const Vector3& area)
 {
     const auto lane = at(batch.rings - 1);
@@ -150,7 +151,7 @@ LocalRotationMeter::LocalRotationMeter(const mesh::PartGeometry& rest, const Ver
     needs_references_ = !without_ring().empty();
 }
 
-// A place for one more: beside the earlier rings of the last batch, or in a new one.
+// Returns the batch with room for another ring: the last one, or a new one.
 RingBatch& LocalRotationMeter::open_batch(int vertex, std::size_t spokes)
 {
     if (count_++ % RingBatch::lanes == 0)
@@ -172,7 +173,7 @@ RingBatch& LocalRotationMeter::open_batch(int vertex, std::size_t spokes)
     return batch;
 }
 
-// The ends of a chain have one triangle, the spokes between two.
+// The first and last spoke of a chain have one triangle, the others two.
 void LocalRotationMeter::add_ring(const Points& rest, int vertex, std::vector<int> sides)
 {
     std::vector<int> ends;
@@ -197,7 +198,7 @@ void LocalRotationMeter::add_ring(const Points& rest, int vertex, std::vector<in
     set_moments(batch, moments, area);
 }
 
-// Contacts measure few vertices of a large part: rings count by those that they read.
+// A contact measures few vertices of a large part, so rings refer to the vertices they read.
 void LocalRotationMeter::make_compact(const Points& rest)
 {
     for (const RingBatch& batch : batches_)
@@ -276,7 +277,7 @@ VertexIds LocalRotationMeter::without_ring() const
     return vertices;
 }
 
-// Every reference that its ring does not explain becomes what the ring tells.
+// Replaces every reference that its ring does not explain by the rotation of the ring.
 void LocalRotationMeter::turn(const Points& deformed, std::vector<Matrix3>& references) const
 {
     const bool is_whole = static_cast<Eigen::Index>(reads_.size()) == deformed.rows();

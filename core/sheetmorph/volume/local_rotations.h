@@ -10,40 +10,41 @@
 namespace sheetmorph::volume
 {
 
-//! How the surface turned at some vertices.
+//! Rotations of the surface at some vertices.
 struct LocalRotations
 {
     std::vector<Matrix3> matrices;  //!< k rotations
     Points logs;                    //!< (k, 3), each near its reference
-    Points tilts = Points(0, 3);    //!< (k, 3) what logs cannot tell (log_near()); no rows: nothing
+    Points tilts = Points(0, 3);    //!< (k, 3) of tilt_beyond(); no rows: zeros
 };
 
-//! Measures how the one-rings of some vertices turn: polar factor of the map from the rest ring to
-//! the deformed one, completed by the normal. The constructor prepares, measure() is per frame.
+//! Measures the rotations of the one-rings of some vertices: polar factors of the maps from the
+//! rest rings to the deformed ones, completed by the normals. The constructor does the set-up;
+//! measure() runs per frame.
 class LocalRotationMeter
 {
 public:
     //! \throws InvalidInput naming the ids that the mesh does not have
     LocalRotationMeter(const mesh::TriangleMesh& rest, const VertexIds& vertices);
 
-    //! The same of a part that others read too; neither is kept.
+    //! The same for geometry that is shared; keeps no reference to it.
     LocalRotationMeter(const mesh::PartGeometry& rest, const VertexIds& vertices);
 
-    //! A vertex in no triangle, or in degenerate ones only, turns as its reference says. So does,
-    //! to the bit, a ring that the reference's rotation alone explains.
+    //! A vertex without a triangle, or with degenerate triangles only, has the rotation of its
+    //! reference. So has, to the bit, a ring that the reference's rotation explains exactly.
     //! \param deformed    (n, 3) mm: the whole mesh
     //! \param references  (k, 3) logs, such as the interpolated rotation field at the vertices
     LocalRotations measure(const Points& deformed, const Points& references) const;
 
-    //! The same without logs, for live frames: what a ring tells does not depend on its reference
-    //! but by rounding, so that references are read only for the vertices of without_ring();
-    //! without any of them they may be empty.
+    //! The same without logs, for live frames. The rotation of a ring depends on its reference only
+    //! by rounding, so only the vertices of without_ring() need a reference. If there are none,
+    //! `references` may be empty.
     std::vector<Matrix3> matrices(const Points& deformed, const Points& references) const;
 
-    //! The vertices, of those given, that turn as their reference says.
+    //! The given vertices whose rotation is that of their reference.
     VertexIds without_ring() const;
 
-    //! The vertices whose positions are measured.
+    //! The vertices whose positions are read.
     const VertexIds& reads() const { return reads_; }
 
 private:
@@ -56,20 +57,20 @@ private:
     void turn(const Points& deformed, std::vector<Matrix3>& references) const;
 
     int vertex_count_;
-    std::size_t count_ = 0;  // of rings
+    std::size_t count_ = 0;  // number of rings
     std::vector<RingBatch> batches_;
     std::vector<RingSpokes> spokes_;
-    VertexIds reads_;  // rows of rest_; rings count by them
+    VertexIds reads_;  // rows of rest_; rings refer to them
     Points rest_;
     bool needs_references_ = false;
 };
 
-//! The motion of a whole region: its rotation is that of the mean of the local logs, so that it
-//! follows a handle through whole turns (a best fit of the points jumps, and points on a line have
-//! none), tilted by the mean of what those logs cannot tell near a whole turn (tilt_beyond()); its
+//! The motion of a whole region. Its rotation is that of the mean of the local logs, so it follows
+//! a handle through whole turns. (A best fit of the points jumps, and points on a line have none.)
+//! The mean of the tilts that these logs miss near a whole turn is added (tilt_beyond()). The
 //! translation takes centroid to centroid.
 //! \param rest, deformed  (k, 3) mm
-//! \param weights         k, >= 0, such as vertex areas; empty for equal ones
+//! \param weights         (k), >= 0, such as vertex areas; empty for equal ones
 RigidMotion mean_motion(const Points& rest, const Points& deformed, const LocalRotations& turned,
                         const Eigen::VectorXd& weights = {});
 

@@ -14,8 +14,9 @@ namespace sheetmorph::volume
 namespace
 {
 
-// Nearer to the surface than this share of the size, the linear weights of the triangle are the
-// mean value weights to rounding; and the sign of the distance, so that of the weights, is noise.
+// Relative to the size. From rounding: a distance from the surface is exact to a few 1e-16 of the
+// size, so below this its sign, and the sign of the weights, is noise. The linear weights of the
+// triangle equal the mean value weights there.
 constexpr double surface_share = 1e-14;
 
 }  // namespace

@@ -8,10 +8,10 @@
 namespace sheetmorph::volume
 {
 
-//! Mean value coordinates (2.11) to (2.14) with respect to a closed control mesh of any shape.
-//! Rows sum to 1 and reproduce affine maps of the control mesh to 1e-12 of its size within 10
-//! sizes; the loss beyond grows with the cube of the distance. Finite everywhere: inside, outside,
-//! on a triangle (the linear weights of the triangle), on an edge, at a vertex, in the plane of a
+//! Mean value coordinates (2.11) to (2.14) with respect to a closed control mesh of any shape. Rows
+//! sum to 1. They reproduce affine maps of the control mesh to 1e-12 of its size within 10 sizes;
+//! beyond, the error grows with the cube of the distance. They are finite everywhere: inside,
+//! outside, on a triangle (its linear weights), on an edge, at a vertex, in the plane of a
 //! triangle.
 class MeanValueCoordinates
 {
@@ -28,7 +28,7 @@ public:
 private:
     void fill_block(const Points& points, Eigen::Index first, KernelBlock& block,
                     numerics::Weights& weights) const;
-    struct Surface  // by lane: the triangle that the point lies on, or -1, and (2.14)
+    struct Surface  // by lane: the triangle on which the point lies, or -1, and (2.14)
     {
         int triangle[lanes] = {-1, -1, -1, -1, -1, -1, -1, -1};
         Vector3 weights[lanes];

@@ -26,63 +26,65 @@ struct LinkOptions
 {
     double smoothness = 0.05;  //!< c of (3.3)
     double offset = 0.0;       //!< h, mm: samples at +-h along the normals too; 0 for none
-    bool rotations = true;     //!< also how the targets turn; four times the memory
+    bool rotations = true;     //!< whether targets also rotate; four times the memory
     double most_kept = 4.0 * 1024 * 1024 * 1024;  //!< bytes of the targets' weights in double
 };
 
-//! The same points in one frame.
+//! The points of the source in one frame.
 struct SourceState
 {
     Points positions;                //!< (n, 3) mm
     std::vector<Matrix3> rotations;  //!< n local rotations; only needed with offset samples
     RigidMotion mean;                //!< of mean_motion()
 
-    //! (n, 3) logs of the local rotations. A target's log is the one near that of its nearest
-    //! source point, not of the mean: where a source is twisted by a whole turn its ends are half
-    //! a turn from the mean, and the target would leap. Empty: near the mean's.
+    //! (n, 3) logs of the local rotations. The log of a target is the one nearest to that of its
+    //! nearest source point, not to the mean. If a source is twisted by a whole turn, its ends are
+    //! half a turn from the mean, and the target would jump. Empty: nearest to the mean.
     Points logs;
 };
 
-//! What a link makes of its targets.
+//! Motion of the targets.
 struct LinkedTargets
 {
     Points positions;  //!< (k, 3) mm
     Points logs;       //!< (k, 3) near the nearest source point's log; empty without rotations
-    std::vector<Matrix3> rotations;  //!< k: the rotations themselves, where a log near a whole turn
-                                     //!< cannot tell them (log_near()); empty: those of the logs
+    std::vector<Matrix3> rotations;  //!< (k) if logs miss a part of them near a whole turn
+                                     //!< (tilt_beyond()); empty: the rotations are those of the
+                                     //!< logs
 
     Matrix3 rotation(Eigen::Index row) const;
 };
 
-//! Source points drive a control mesh (3.3), the control mesh drives target points (2.11).
-//! Targets move by the source's mean motion plus a displacement, so that a source at rest leaves
-//! them where they are, bit for bit, and a rigid motion of the source is theirs to rounding.
-//! The rows of the targets apply to the inputs (n source points, twice as many with offset
-//! samples), or, where that takes less memory, to combinations of the inputs: s of them if the rows
-//! have the numerical rank s, the m control vertices if the targets are too many to compute a rank.
-//! Memory: about (k + inputs) * min(s, m) or k * inputs entries of six bytes, k four times the
-//! targets with rotations. Above `most_kept` the link keeps no rows: every transfer() computes the
-//! weights again, 256 targets at a time. Only such a link keeps its fit; otherwise the first
-//! control_vertices() computes it again.
+//! Source points drive a control mesh (3.3), and the control mesh drives target points (2.11).
+//! Targets move by the mean motion of the source plus a displacement. So a source at rest leaves
+//! them in place bit for bit, and a rigid motion of the source moves them rigidly, to rounding.
+//! The rows of the targets apply to the inputs: n source points, twice as many with offset samples.
+//! If it takes less memory, they apply to combinations of the inputs: s combinations if the rows
+//! have the numerical rank s, or the m control vertices if there are too many targets to compute a
+//! rank.
+//! Memory: about (k + inputs) * min(s, m) or k * inputs entries of six bytes, where k is four times
+//! the number of targets with rotations. Above `most_kept`, the link stores no rows, and every
+//! transfer() computes the weights again, 256 targets at a time. Only such a link stores its fit.
+//! Otherwise the first control_vertices() computes it again.
 class VolumeLink
 {
 public:
-    //! \throws InvalidInput if the source is empty or its arrays disagree, or an option is negative
+    //! \throws InvalidInput if the source is empty, its arrays disagree, or an option is negative
     VolumeLink(const ControlMesh& control, const LinkSource& source, const Points& targets,
                const LinkOptions& options = {});
 
     //! \throws InvalidInput if the state has another number of points
     LinkedTargets transfer(const SourceState& state, Exactness exactness = Exactness::exact) const;
 
-    //! (m, 3) mm: the control mesh that does it, to be shown.
+    //! (m, 3) mm: the deformed control mesh, for display.
     Points control_vertices(const SourceState& state) const;
 
 private:
-    //! From the inputs to the control mesh.
+    //! The map from the inputs to the control mesh.
     struct Fit
     {
         numerics::DenseCholesky factor;
-        numerics::Weights from_inputs;  //!< (m, inputs): L^-1 times what the source says
+        numerics::Weights from_inputs;  //!< (m, inputs): L^-1 times right-hand sides
 
         Points displacements(const Points& inputs) const;
     };
@@ -108,12 +110,12 @@ private:
     ControlMesh control_;
     Points source_, source_offsets_, targets_;
     Eigen::VectorXd areas_;  // of the source
-    Matrix3 steps_;          // columns: how far apart the targets' map is compared, mm
+    Matrix3 steps_;          // columns: steps of the finite differences at the targets, mm
     std::shared_ptr<LaterFit> later_fit_;
     std::vector<Eigen::Index> nearest_;  // source point of every target, with rotations
     numerics::CompactPanelRows rows_;    // of the targets, on the inputs or on combined_
     numerics::ExactPanelRows combined_;  // (s or m, inputs); empty: rows_ are on the inputs
-    std::shared_ptr<const MeanValueCoordinates> coordinates_;  // instead of rows that are not kept
+    std::shared_ptr<const MeanValueCoordinates> coordinates_;  // if rows are not stored
 };
 
 }  // namespace sheetmorph::volume

@@ -78,8 +78,8 @@ MUTATIONS = [
     ),
     Mutation(
         "mesh/quality/quality.cpp",
-        "folded_over = 150.0 / 180.0",
-        "folded_over = 100.0 / 180.0",
+        "folded_over = 150.0 * degree",
+        "folded_over = 100.0 * degree",
         "Quality.*",
     ),
     Mutation(

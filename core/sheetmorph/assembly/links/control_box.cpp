@@ -11,10 +11,12 @@ namespace sheetmorph::assembly
 namespace
 {
 
-// A single point says nothing about the size of its box; this share of the assembly does.
+// Size of the box of a single point, which has no extent, relative to the assembly. Chosen: a bolt
+// with its washer, 20 mm in an assembly of 1 m.
 constexpr double single_point_share = 0.02;
 
-// Directions shorter than this share of the assembly say nothing.
+// Shortest direction that determines an axis, relative to the assembly. From files with seven
+// digits: coordinates are exact to 1e-7 of it.
 constexpr double shortest_direction = 1e-6;
 
 Points all_points(const Assembly& assembly)
@@ -37,7 +39,7 @@ Vector3 centroid(const Points& points)
     return points.colwise().mean().transpose();
 }
 
-// From the assembly's centre to what tells its sides apart.
+// Directions from the centre of the assembly to landmarks that distinguish its sides.
 std::vector<Vector3> landmark_directions(const Assembly& assembly, const Vector3& centre)
 {
     std::vector<Vector3> directions;
@@ -56,7 +58,7 @@ std::vector<Vector3> landmark_directions(const Assembly& assembly, const Vector3
     return directions;
 }
 
-// Two directions that differ make a frame; without them the world's axes have to do.
+// Two different directions make a frame. Without them, the axes of the world are used.
 Matrix3 landmark_axes(const Assembly& assembly, const Vector3& centre, double size)
 {
     Matrix3 axes = Matrix3::Identity();

@@ -10,12 +10,12 @@ namespace sheetmorph::assembly
 //! Rows `ids` of points.
 Points rows_of(const Points& points, const VertexIds& ids);
 
-//! Rows of both, a first.
+//! The rows of both, those of a first.
 Points stacked(const Points& a, const Points& b);
 
-//! Makes the boxes of control meshes. Where points leave a box's axes open, those come from the
-//! part, then from the assembly, then from where the parts, the handles and the fixed regions lie,
-//! so that a turned model gives turned boxes.
+//! Builds the boxes of control meshes. Axes that the points leave undetermined come from the part,
+//! then from the assembly, then from the positions of parts, handles and fixed regions. So a
+//! rotated model gives rotated boxes.
 class ControlBoxes
 {
 public:
@@ -34,7 +34,7 @@ private:
     volume::BoxOptions options_;
 };
 
-//! Which rows of `points` lie in the box.
+//! Whether each row of `points` lies in the box.
 std::vector<char> inside(const volume::OrientedBox& box, const Points& points);
 
 }  // namespace sheetmorph::assembly

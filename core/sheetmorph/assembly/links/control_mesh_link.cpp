@@ -17,14 +17,15 @@ namespace sheetmorph::assembly
 namespace
 {
 
-// A fit to more points than this gains nothing: a control mesh has a few hundred vertices.
+// Points of a fit. Chosen: five for each of the 386 vertices of a control mesh; more gain nothing.
 constexpr std::size_t most_samples = 2000;
 
-// Offset samples stand at most so many half extents from the middle of the box: mean value
-// coordinates lose digits with the cube of that, and then the fit has no minimum.
+// Largest distance of offset samples from the middle of the box, in half extents. From the mean
+// value coordinates: they lose digits with the cube of the distance and are exact to 1e-12 within
+// 10. Farther away the fit has no minimum.
 constexpr double farthest_offset = 10.0;
 
-// The box of a region that is small beside the edges around it, wide enough for offsets.
+// Widens the box of a region that is small compared with the edges around it, so that offsets fit.
 volume::OrientedBox around_offsets(volume::OrientedBox box, double offset)
 {
     const Vector3 before = box.half_extents;
@@ -33,8 +34,8 @@ volume::OrientedBox around_offsets(volume::OrientedBox box, double offset)
     return box;
 }
 
-// The vertices of a region that triangles of some extent have: only these have an area and a normal
-// of their own. All, if there is none.
+// The vertices of a region that belong to triangles of some extent, because only these have an area
+// and a normal. All vertices if there are none.
 VertexIds on_the_sheet(const mesh::Submesh& patch, const VertexIds& source)
 {
     const std::vector<int> label = mesh::connected_components(patch.mesh).label;
@@ -81,7 +82,7 @@ volume::LinkSource link_source(const mesh::TriangleMesh& mesh, const mesh::Subme
     source.points = rows_of(mesh.points(), samples);
     source.normals = Eigen::RowVector3d::UnitZ().replicate(source.points.rows(), 1);
     source.areas = Eigen::VectorXd::Zero(source.points.rows());
-    // Triangles of a deck may face both ways; normals of neighbours must not cancel.
+    // Triangles of a deck may have mixed orientations, and normals of neighbours must not cancel.
     const mesh::TriangleMesh facing = mesh::oriented(
         patch.mesh, mesh::consistent_orientation(patch.mesh, mesh::EdgeTable(patch.mesh)));
     const Points normals = mesh::vertex_normals(facing.points(), facing.triangles());
@@ -95,7 +96,7 @@ volume::LinkSource link_source(const mesh::TriangleMesh& mesh, const mesh::Subme
     return source;
 }
 
-//! The source of a link with the triangles around it.
+//! The source of a link, with the triangles around it.
 struct Source
 {
     Source(const mesh::PartGeometry& part, const VertexIds& region)

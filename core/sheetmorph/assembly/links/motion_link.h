@@ -12,21 +12,21 @@
 namespace sheetmorph::assembly
 {
 
-//! A control mesh to be shown.
+//! A control mesh for display.
 struct ShownControlMesh
 {
     Points vertices;      //!< (m, 3) mm
     Triangles triangles;  //!< (t, 3)
 };
 
-//! Takes the motion of a source region to target points of other parts.
+//! Transfers the motion of a source region to target points on other parts.
 class MotionLink
 {
 public:
     virtual ~MotionLink() = default;
 
     //! \param source  the source part in one pose
-    //! \returns       the targets' positions and rotations, rows in the order they were given
+    //! \returns       positions and rotations of the targets, rows in their given order
     virtual volume::LinkedTargets transfer(const surface::Deformation& source,
                                            Exactness exactness) const = 0;
 
@@ -38,7 +38,7 @@ public:
         const surface::Deformation& source) const = 0;
 };
 
-//! What every link starts from; only read during construction.
+//! Input of every link; read only during construction.
 struct MotionLinkInput
 {
     const mesh::PartGeometry& source_part;
@@ -46,7 +46,7 @@ struct MotionLinkInput
     const Points& targets;  //!< (k, 3) mm at rest
 };
 
-//! How the control mesh of a link is made.
+//! Options of a link's control mesh.
 struct ControlMeshOptions
 {
     volume::OrientedBox box;
@@ -54,13 +54,13 @@ struct ControlMeshOptions
     double smoothness = 0.05;
 };
 
-//! The paper's way: source -> control mesh (3.3) -> targets (2.11). Sources of more than 2,000
-//! vertices are sampled.
+//! The method of the paper: source -> control mesh (3.3) -> targets (2.11). Sources of more than
+//! 2,000 vertices are sampled.
 std::unique_ptr<MotionLink> control_mesh_link(const MotionLinkInput& input,
                                               const ControlMeshOptions& options);
 
-//! Every target keeps its place relative to the nearest triangle of the source region and its
-//! frame, as *TIE of FE codes: p = q + R (p_hat - q_hat), so that the gap keeps its length.
+//! Every target keeps its position relative to the nearest triangle of the source region and its
+//! frame, as *TIE of FE codes does: p = q + R (p_hat - q_hat). So the gap keeps its length.
 std::unique_ptr<MotionLink> tied_link(const MotionLinkInput& input);
 
 }  // namespace sheetmorph::assembly

@@ -47,7 +47,7 @@ public:
             const Vector3 log = anchor.sum(
                 [&](int corner) { return Vector3(turned.logs.row(corner_row(corner))); });
             const Vector3 arm = arms_.row(row).transpose();
-            // As a displacement, so that a source at rest leaves the target where it is.
+            // A displacement, so that a source at rest does not move the target.
             const Vector3 shift = displacement(anchor, source) + (rotation * arm - arm);
             result.positions.row(row) = targets_.row(row) + shift.transpose();
             result.logs.row(row) = log_near(rotation, log).transpose();

@@ -7,18 +7,18 @@
 namespace sheetmorph::assembly
 {
 
-//! Whether a description or a pose may set the size of a feature.
+//! Whether the assembly or a pose may set the size of a feature.
 bool is_sized(const PartFeature& feature);
 
-//! By feature of the assembly: its shape where its size can be set, else nothing.
-//! \throws InvalidInput naming a feature that has a size but is no hole, slot or cylinder, or a
-//! size that it cannot have
+//! By feature of the assembly: its shape if its size can be set, else nothing.
+//! \throws InvalidInput naming a feature with a size that is not a hole, slot or cylinder, or with
+//!     an impossible size
 std::vector<std::optional<forms::FeatureShape>> shapes_of_sized(const Assembly& assembly);
 
-//! The size a feature has in a pose: the pose's, else the description's, else none.
+//! The size of a feature in a pose: that of the pose, else of the assembly, else nothing.
 std::optional<double> size_in_pose(const PartFeature& feature, const Pose& pose);
 
-//! \throws InvalidInput naming a size that a feature cannot have
+//! \throws InvalidInput naming an impossible size of a feature
 void check_sizes(const Assembly& assembly,
                  const std::vector<std::optional<forms::FeatureShape>>& shapes, const Pose& pose);
 

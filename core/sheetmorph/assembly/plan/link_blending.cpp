@@ -13,10 +13,11 @@ namespace sheetmorph::assembly
 namespace
 {
 
-// Of the smaller region's diagonal.
+// Reach of the blending, relative to the diagonal of the smaller region. Chosen: contacts that are
+// a tenth of their size apart are one joint for the sheet between them.
 constexpr double reach_of_region = 0.1;
 
-//! What a link decides, before others are blended into it.
+//! The vertices that a link prescribes, before blending.
 struct Region
 {
     PlannedLink* link;
@@ -51,7 +52,7 @@ std::vector<Eigen::Index> rows_near(const Points& points, const Region& region, 
     return rows;
 }
 
-// Adds vertices of the other that are near to its own, with their weights.
+// Adds the vertices of the other region near its own, with their weights.
 void add_beside(const Region& own, const Region& other, std::map<int, double>& beside)
 {
     const double reach = reach_of_region * std::min(own.size(), other.size());

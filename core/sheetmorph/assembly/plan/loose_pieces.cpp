@@ -16,10 +16,11 @@ namespace sheetmorph::assembly
 namespace
 {
 
-// Enough to find a place beside a piece, however fine it is.
+// Vertices at which a place beside a piece is searched. Chosen: enough on all its sides, however
+// fine it is.
 constexpr std::size_t most_samples = 200;
 
-// The triangles that no loose piece has.
+// The triangles outside loose pieces.
 mesh::TriangleMesh held_mesh(const mesh::TriangleMesh& mesh, const std::vector<VertexIds>& loose)
 {
     std::vector<char> is_loose(at(mesh.vertex_count()), 0);
@@ -35,7 +36,7 @@ mesh::TriangleMesh held_mesh(const mesh::TriangleMesh& mesh, const std::vector<V
     return {mesh.points(), held.topRows(count)};
 }
 
-// What decides a vertex before the sheet does; -2 for nothing.
+// The constraint that moves each vertex directly; -2 for none.
 std::vector<int> movers_of(const mesh::TriangleMesh& mesh,
                            const surface::SurfaceConstraints& constraints)
 {
@@ -49,7 +50,7 @@ std::vector<int> movers_of(const mesh::TriangleMesh& mesh,
     return mover;
 }
 
-// The corners of the triangle nearest to a piece, those alone that one and the same thing moves.
+// The corners of the triangle nearest to a piece, restricted to those with one common mover.
 VertexIds place_beside(const VertexIds& piece, const mesh::TriangleMesh& held,
                        const mesh::PickingTree& tree, const std::vector<int>& movers)
 {

@@ -7,7 +7,7 @@
 namespace sheetmorph::assembly
 {
 
-//! The vertices that a fixed region shares with a handle.
+//! The vertices that a fixed region and a handle share.
 struct Overlap
 {
     int fixed = 0;   //!< index into Assembly::fixed
@@ -17,7 +17,7 @@ struct Overlap
 
 std::vector<Overlap> overlaps_of(const Assembly& assembly);
 
-//! A handle may turn about vertices that are fixed, but not move them.
+//! A handle may rotate about fixed vertices, but must not move them.
 //! \throws InvalidInput naming both regions and the vertices that the pose moves beyond exactness
 void check_overlaps(const Assembly& assembly, const std::vector<Overlap>& overlaps,
                     const Pose& pose);

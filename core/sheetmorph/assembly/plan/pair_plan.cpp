@@ -19,9 +19,10 @@ namespace sheetmorph::assembly
 namespace
 {
 
-constexpr double degrees = 180.0 / pi;
+constexpr double degrees = 1.0 / degree;  // from geometry
 
-// Of the smaller radius, and degrees: beyond it, features do not share an axis.
+// Relative to the smaller radius, and degrees: beyond these, features do not share an axis. Chosen:
+// the axis of a circle fitted to a coarse rim may be off by as much although it is the same.
 constexpr double most_offset = 0.02;
 constexpr double most_angle = 1.0;
 

@@ -6,7 +6,7 @@
 namespace sheetmorph::assembly
 {
 
-//! One contact with the direction in which it passes the motion on.
+//! A contact, with the direction of propagation.
 struct DirectedContact
 {
     int contact = 0;           //!< index into Assembly::contacts
@@ -16,26 +16,25 @@ struct DirectedContact
     const PartRegion& target(const Assembly& assembly) const;
 };
 
-//! In which order parts are deformed, and which contacts decide each (section 4.2).
-//! Breadth-first from the primary part, ties inside a level by part name; a part is constrained by
-//! every contact with an earlier part, so that the order is a directed acyclic graph. Two parts
-//! with a pair of form features that keep an axis or a distance are neighbours like those in
-//! contact.
+//! The order in which parts are deformed, and the contacts that constrain each (section 4.2).
+//! Breadth-first from the primary part, by name within a level. Every contact with an earlier part
+//! constrains a part, so the order is a directed acyclic graph. Two parts with a pair of form
+//! features that keep an axis or a distance count as neighbours, like parts in contact.
 struct PropagationPlan
 {
-    std::vector<int> order;  //!< parts that are reached, the primary first
+    std::vector<int> order;  //!< reached parts, the primary first
     std::vector<int> level;  //!< by part: contacts from the primary; -1 if not reached
-    std::vector<DirectedContact> contacts;  //!< that pass motion on
-    std::vector<DirectedContact> measured;  //!< whose fidelity is told: between reached parts
-    std::vector<int> unreached;  //!< parts that neither the primary nor a driver of their own moves
+    std::vector<DirectedContact> contacts;  //!< that propagate motion
+    std::vector<DirectedContact> measured;  //!< that are measured: between reached parts
+    std::vector<int> unreached;             //!< neither reached nor driven by handles of their own
 
-    //! The contacts that pass motion into one part, in the assembly's order.
+    //! The contacts that propagate motion into one part, in the order of the assembly.
     std::vector<DirectedContact> into(const Assembly& assembly, int part) const;
 };
 
-//! Parts that no contact joins to the primary but that have a handle, a point or a prescribed
-//! rotation of their own start a breadth-first order of their own after it, by name.
-//! With a single control mesh every part is reached, and contacts are not used.
+//! Parts that no contact connects to the primary, but with a handle, a point or a prescribed
+//! rotation, start a breadth-first order of their own after it, by name. A single control mesh
+//! reaches every part, and contacts are not used.
 PropagationPlan plan_propagation(const Assembly& assembly);
 
 }  // namespace sheetmorph::assembly

@@ -24,7 +24,7 @@ std::vector<DirectedContact> rigid_contacts(const Assembly& assembly, const Prop
     return found;
 }
 
-// Rigid shapes of one part that touch are one body: which body each vertex is on, -1 for none.
+// The rigid body of each vertex of one part, -1 for none. Rigid shapes that touch form one body.
 std::vector<int> rigid_clusters(const Assembly& assembly, int part,
                                 const std::vector<DirectedContact>& rigid)
 {
@@ -61,7 +61,7 @@ std::vector<int> rigid_clusters(const Assembly& assembly, int part,
     return cluster;
 }
 
-//! Rigid bodies of several parts that rigid contacts join: a stack moves as one.
+//! Rigid bodies of several parts, joined by rigid contacts. A stack moves as one.
 class Stacks
 {
 public:
@@ -71,7 +71,7 @@ public:
           sets_(static_cast<int>(rigid_.size())),
           rank_(assembly.parts.size())
     {
-        // Parts that nothing reaches are not in the order; they come after it.
+        // Parts that are not reached are not in the order; they follow at the end.
         for (std::size_t part = 0; part < rank_.size(); ++part)
             rank_[part] = static_cast<int>(plan.order.size() + part);
         for (std::size_t k = 0; k < plan.order.size(); ++k)
@@ -87,7 +87,7 @@ public:
             }
     }
 
-    //! Welds from the part of each stack that is deformed first to every other one.
+    //! Welds from the part of each stack that is deformed first to every other part.
     std::vector<RigidWeld> welds()
     {
         const std::set<int> held = held_stacks();
@@ -145,8 +145,7 @@ private:
         return found;
     }
 
-    // What is held anywhere holds: stacks with a vertex of a fixed region, or of a feature that
-    // stays.
+    // Fixed stacks: with a vertex of a fixed region, or of a feature that is fixed.
     std::set<int> held_stacks()
     {
         std::set<int> found;
@@ -171,7 +170,7 @@ private:
         }
     }
 
-    // Of the contacts on the part it moves, a few.
+    // Names the weld after some of the contacts on the part that it moves.
     void set_name(RigidWeld& weld) const
     {
         std::size_t count = 0;
@@ -188,14 +187,14 @@ private:
             weld.name += "' and '" + std::to_string(count - most_names) + " more";
     }
 
-    static constexpr std::size_t most_names = 4;
+    static constexpr std::size_t most_names = 4;  // chosen: a message stays on one line
 
     const Assembly& assembly_;
     std::vector<DirectedContact> rigid_;
-    DisjointSets sets_;      // of rigid contacts: the stacks
+    DisjointSets sets_;      // of rigid contacts; a set is a stack
     std::vector<int> rank_;  // by part
     std::map<int, std::vector<int>> clusters_;
-    std::map<std::pair<int, int>, int> first_of_;  // by part and cluster: a rigid contact on it
+    std::map<std::pair<int, int>, int> first_of_;  // by part and cluster: one of its rigid contacts
 };
 
 }  // namespace

@@ -15,10 +15,10 @@ namespace sheetmorph::assembly
 namespace
 {
 
-// Poses that pass through the parts.
+// Poses that pass through the parts. Chosen as in drawn_motions.cpp: as many as for one handle, and
+// the rotation that more than two handles may have.
 constexpr int passed_poses = 128;
-
-constexpr double farthest_passed = 75.0 / 180.0 * pi;
+constexpr double farthest_passed = 75.0 * degree;  // from there
 
 // With a plane of symmetry the pose of one of two mirrored handles tells that of the other.
 std::set<std::string> mirrored(const PreparedAssembly& prepared)

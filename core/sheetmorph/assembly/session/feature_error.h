@@ -17,12 +17,12 @@ using FeatureEdges = std::vector<std::pair<int, int>>;
 std::vector<FeatureEdges> edges_of_features(const mesh::TriangleMesh& rest,
                                             const std::vector<VertexIds>& features);
 
-//! How far a form feature is from (2.4): the worst |p_i - p_j - R (p_hat_i - p_hat_j)|, mm.
-//! \param rest  (n, 3) mm; where features have a size, with that
+//! Error of a form feature in (2.4): the largest |p_i - p_j - R (p_hat_i - p_hat_j)|, mm.
+//! \param rest  (n, 3) mm; with the sizes of the features, if set
 double edge_error(const Points& rest, const FeatureEdges& edges, const Points& positions,
                   const RigidMotion& motion);
 
-//! A form feature with the size that a pose gives it.
+//! A form feature with its size in a pose.
 struct SizedForm
 {
     const forms::FeatureShape& shape;
@@ -30,7 +30,7 @@ struct SizedForm
     Points rest;        //!< (k, 3) mm, with that size
 };
 
-//! How far its rim is, at most, from the exact circle (slot, cylinder) of its size, mm.
+//! Largest distance of its rim from the exact circle (slot, cylinder) of its size, mm.
 //! \param deformed  (k, 3) mm
 double outline_error(const SizedForm& form, const Points& deformed, const Matrix3& rotation);
 

@@ -7,18 +7,19 @@
 namespace sheetmorph::assembly
 {
 
-//! How well one contact was kept in a pose.
+//! Fidelity of one contact in a pose.
 struct ContactFidelity
 {
     int contact = 0;  //!< index into Assembly::contacts
     int source_part = 0;
     int target_part = 0;
-    double deviation = 0.0;    //!< mm: farthest a driven vertex is from the source side's own best
-                               //!< rigid motion; bending of the region counts
-    double region_size = 0.0;  //!< mm: diagonal of both sides at rest, to compare with
+    //! Largest distance of a driven vertex from the best rigid motion of the source side, mm.
+    //! Includes bending.
+    double deviation = 0.0;
+    double region_size = 0.0;  //!< mm: diagonal of both sides at rest, for comparison
 };
 
-//! Measures one contact.
+//! Measures the fidelity of one contact.
 class ContactGauge
 {
 public:

@@ -21,13 +21,15 @@ namespace sheetmorph::assembly
 namespace
 {
 
-// Frames whose memory is kept for further ones: what is shown, what is on its way, what is made.
+// Frames whose memory is kept for further ones. From the pipeline: one is shown, one is on its way
+// to the screen, one is computed.
 constexpr std::size_t frames_kept = 3;
 
-// The first frame has all cores, unless it does not come: a button that is held still.
+// The first frame has all cores, unless it does not come because the user holds the button still.
+// From usability (Nielsen 1993): 0.1 s still feels immediate.
 constexpr std::chrono::milliseconds longest_wait(100);
 
-constexpr std::chrono::milliseconds between_looks(100);
+constexpr std::chrono::milliseconds between_looks(100);  // from longest_wait
 
 std::string words_of(const std::exception_ptr& failure)
 {

@@ -17,7 +17,7 @@ public:
     Vector3 log(const Vector3& rotation_log) const;  //!< a rotation's log is a pseudo-vector
     RigidMotion motion(const RigidMotion& given) const;
 
-    //! What is left of a shift, a rotation's log or a motion if it has to be its own mirror.
+    //! The symmetric part of a translation, a rotation's log or a motion.
     Vector3 symmetric_vector(const Vector3& direction) const;
     Vector3 symmetric_log(const Vector3& rotation_log) const;
     RigidMotion symmetric_motion(const RigidMotion& given) const;

@@ -13,7 +13,8 @@ namespace sheetmorph::assembly
 namespace
 {
 
-// Of the assembly's size: how far apart a vertex and its mirrored counterpart may be.
+// How far apart a vertex and its mirrored counterpart may be, relative to the assembly's size. From
+// files with seven digits: two coordinates are exact to 1e-7 each.
 constexpr double relative_tolerance = 1e-6;
 
 double size_of(const Assembly& assembly)

@@ -10,24 +10,24 @@
 namespace sheetmorph::assembly
 {
 
-//! Finds by position what lies on the other side of a plane of symmetry: on the same part, else on
-//! another one. Positions may be off by 1e-6 of the assembly's size.
+//! Finds mirrored counterparts by position: on the same part, else on another one. Positions may
+//! differ by 1e-6 of the assembly's size.
 class MirrorFinder
 {
 public:
-    //! \param assembly  with a symmetry; referred to, not copied
+    //! \param assembly  with a symmetry; kept by reference
     explicit MirrorFinder(const Assembly& assembly);
 
-    //! The vertices that mirror those of a region, ascending.
-    //! \returns nothing unless every vertex has one, all on one part; then `missing` of the last
-    //! call names those that have none on the same part
+    //! The mirrored vertices of a region, ascending.
+    //! \returns nothing unless every vertex has a counterpart, all on one part; then `missing` of
+    //!     the last call lists those without one on the same part
     std::optional<PartRegion> region(int part, const VertexIds& vertices);
     const VertexIds& missing() const { return missing_; }
 
-    //! The place that mirrors a point on a triangle; nothing if no triangle is there.
+    //! The mirrored point on a triangle; nothing if there is no triangle.
     std::optional<PartPoint> point(const PartPoint& given);
 
-    //! Where a point on a triangle is at rest, mm.
+    //! The position of a point on a triangle at rest, mm.
     Vector3 position(const PartPoint& point) const;
 
     bool is_near(const Vector3& a, const Vector3& b) const { return (a - b).norm() <= tolerance_; }

@@ -19,7 +19,7 @@ namespace
 
 constexpr int none = -1;
 
-// Poses go by name: the mirror of 'tip' must not take that of an entry 'tip (mirrored)'.
+// Poses use names, so the mirror of 'tip' must not take the name of an entry 'tip (mirrored)'.
 template <typename Entry>
 std::string mirrored_name(const Entry& entry, const std::vector<Entry>& all)
 {
@@ -77,7 +77,7 @@ private:
                            "pick them so that they mirror each other, or apart");
     }
 
-    // The declared entry that is the mirror of entry `index`; none if it has to be added.
+    // The declared entry that mirrors entry `index`; none if it must be added.
     template <typename Named>
     int counterpart(const std::vector<Named>& list, std::size_t index, const PartRegion& mirrored,
                     const std::string& kind) const
@@ -170,7 +170,7 @@ private:
         return motion;
     }
 
-    // Both sides have a size if one has.
+    // If one side has a size, both have.
     void make_alike(PartFeature& feature, PartFeature& other) const
     {
         if (feature.rotation != other.rotation)
@@ -272,7 +272,7 @@ private:
         }
     }
 
-    // (a, b) and (b, a) are one.
+    // (a, b) and (b, a) are the same.
     static void add(std::vector<std::pair<int, int>>& list, int a, int b)
     {
         const std::pair<int, int> turned{b, a};

@@ -8,23 +8,24 @@
 namespace sheetmorph::assembly
 {
 
-//! Which entries of an assembly mirror each other; (k, k): its own mirror.
+//! Pairs of entries that mirror each other; (k, k) is its own mirror.
 struct SymmetryPlan
 {
     std::vector<std::pair<int, int>> handles;
     std::vector<std::pair<int, int>> features;
     std::vector<std::pair<int, int>> points;
-    std::vector<Vector3> places;  //!< by point: where it is at rest, mm
+    std::vector<Vector3> places;  //!< by point: position at rest, mm
 };
 
-//! Adds to an assembly with a plane of symmetry what it lacks on either side, called "(mirrored)":
-//! handles, points, form features, fixed regions, and the groups and pairs of features.
-//! Features that only keep their form, and fixed regions, may be without a mirror.
-//! \throws InvalidInput naming what has no mirror, or what is declared differently on both sides
+//! Completes an assembly that has a plane of symmetry. Adds the missing entries of either side as
+//! "(mirrored)": handles, points, form features, fixed regions, and groups and pairs of features.
+//! Fixed regions, and features that only keep their form, may lack a mirror.
+//! \throws InvalidInput naming an entry without a mirror, or one that both sides declare
+//!     differently
 SymmetryPlan complete_by_symmetry(Assembly& assembly);
 
-//! The pose with both sides of the plane told: what it moves on one side alone moves on the other
-//! too; what is its own mirror keeps the symmetric part of its motion.
+//! The pose for both sides of the plane. An entry that moves on one side also moves on the other,
+//! mirrored. An entry that is its own mirror keeps the symmetric part of its motion.
 //! \throws InvalidInput naming two entries that the pose moves differently
 Pose symmetric_pose(const Assembly& assembly, const SymmetryPlan& plan, Pose pose);
 

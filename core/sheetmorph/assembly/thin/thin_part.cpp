@@ -17,12 +17,10 @@ using mesh::Anchor;
 namespace
 {
 
-// Beyond this many thicknesses, what is opposite is not the other skin.
-constexpr double farthest_foot = 1.8;
+constexpr Eigen::Index least_searches = 50;  // fewest for a thread; chosen, not measured
 
-constexpr Eigen::Index least_searches = 50;  // worth a thread
-
-// A corner with less weight than this does not count.
+// A corner with a smaller weight does not count. From rounding: weights in a triangle with a height
+// of 1e-5 of its length (thinnest_triangle) are exact to 1e-11; chosen far above.
 constexpr double no_weight = 1e-6;
 
 std::vector<int> all_on(const recognise::ThinSolid& solid, recognise::SolidSide side)
@@ -42,7 +40,8 @@ std::vector<Anchor> anchors_at(const std::vector<mesh::Hit>& places, const Trian
     return found;
 }
 
-// The inverse in the directions that a twentieth of the facets' normals or more speak for.
+// The inverse, restricted to directions of at least a twentieth of the facets' normals. Chosen:
+// every fold and wall has more, and rounding less.
 Matrix3 strong_inverse(const Matrix3& moments)
 {
     const Eigen::SelfAdjointEigenSolver<Matrix3> solver(moments);
@@ -114,7 +113,8 @@ void ThinPart::find_feet(const recognise::AcrossSheet& across)
     {
         const int v = skin_.vertices[at(s)];
         const std::vector<mesh::Hit> places = across.places(v, recognise::SolidSide::opposite);
-        if (!places.empty() && places.front().distance <= farthest_foot * across.thickness(v))
+        if (!places.empty()
+            && places.front().distance <= recognise::farthest_skin * across.thickness(v))
             feet_[at(s)] = anchors_at(places, mesh_.triangles());
     };
     each_in_parallel(feet_.size(), find);
@@ -126,8 +126,8 @@ void ThinPart::find_feet(const recognise::AcrossSheet& across)
                     above_[at(foot.corners[k])].push_back(static_cast<int>(s));
 }
 
-// Every skin vertex half the way to the other skin, so that all facets around are pushed alike: at
-// a fold that is farther than half the thickness.
+// Moves every skin vertex half way to the other skin, so that all facets around it move by the same
+// distance. At a fold that is more than half the thickness.
 void ThinPart::find_middle()
 {
     const mesh::TriangleMesh& skin = skin_.mesh;
@@ -193,7 +193,7 @@ SkinRegion ThinPart::on_skin(const VertexIds& region) const
     return found;
 }
 
-// A vertex of the region that is over no covered skin vertex adds the nearest one.
+// A vertex of the region that lies over no skin vertex adds the nearest one.
 void ThinPart::add_below(const VertexIds& region, const std::vector<char>& is_covered,
                          SkinRegion& found) const
 {

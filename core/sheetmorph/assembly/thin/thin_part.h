@@ -8,16 +8,16 @@
 namespace sheetmorph::assembly
 {
 
-//! What a region of a thin solid is on its main skin; indices into the skin, ascending.
+//! The image of a region of a thin solid on its main skin; indices into the skin, ascending.
 struct SkinRegion
 {
     VertexIds own;    //!< vertices of the region that lie on the skin
     VertexIds below;  //!< skin vertices under the rest of it
 };
 
-//! A thin solid as the solvers see it: its main skin alone, pushed to the middle of the sheet, so
-//! that it bends as the open mid-surface would whichever skin is the main one; and how everything
-//! hangs on it. The constructor finds for every vertex its place on the skin across the sheet.
+//! A thin solid for the solvers: its main skin, moved to the middle of the sheet. So it bends as
+//! the open mid-surface would, whichever skin is the main one. Also the way all other vertices
+//! follow it. The constructor finds the place of every vertex on the skin across the sheet.
 class ThinPart
 {
 public:
@@ -27,21 +27,21 @@ public:
     const recognise::ThinSolid& solid() const { return solid_; }
     const mesh::Submesh& skin() const { return skin_; }
 
-    //! The mesh that is solved: the main skin's triangles in the middle of the sheet.
+    //! The mesh that is solved: the triangles of the main skin, in the middle of the sheet.
     const mesh::TriangleMesh& middle() const { return middle_; }
 
-    //! Places of a vertex of the whole part on the main skin, in the skin's own vertices: the
-    //! nearest across its own sheet, and as many as are equally near. None for a vertex of no
-    //! triangle, which stays where it is.
+    //! The places of a vertex of the whole part on the main skin, in vertices of the skin: the
+    //! nearest across its own sheet, and all equally near ones. Empty for a vertex without a
+    //! triangle, which stays at rest.
     using Anchors = std::vector<mesh::Anchor>;
     const Anchors& anchors(int vertex) const { return anchors_[static_cast<std::size_t>(vertex)]; }
 
-    //! Skin vertices are under a region if what is opposite them lies on its triangles; a vertex
-    //! that covers none is over the nearest skin vertex, so that no region is lost.
+    //! Skin vertices lie under a region if their opposite points are on its triangles. A vertex
+    //! that covers none lies over the nearest skin vertex, so that no region is lost.
     SkinRegion on_skin(const VertexIds& region) const;
 
-    //! A feature with the walls it goes along: who has the whole rim of a hole on one skin has the
-    //! wall and the other rim too.
+    //! The feature with its walls. If a feature contains the whole rim of a hole on one skin, the
+    //! wall and the other rim are added.
     VertexIds with_walls(const VertexIds& feature) const;
 
 private:
@@ -56,9 +56,9 @@ private:
     mesh::Submesh skin_;
     mesh::TriangleMesh middle_;
     std::vector<Anchors> anchors_;
-    std::vector<Anchors> feet_;     // by skin vertex: the opposite places, if any
-    std::vector<VertexIds> above_;  // by vertex: the skin vertices whose feet are on its triangles
-    std::vector<VertexIds> rims_;   // of the walls: those vertices on the main, then on the
+    std::vector<Anchors> feet_;     // by skin vertex: its opposite places
+    std::vector<VertexIds> above_;  // by vertex: skin vertices with feet on its triangles
+    std::vector<VertexIds> rims_;   // of the walls: vertices on the main, then on the
     std::vector<int> wall_of_rim_;  // opposite skin
 };
 

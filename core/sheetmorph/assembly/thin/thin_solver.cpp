@@ -19,14 +19,15 @@ using surface::Deformation;
 namespace
 {
 
-// A point moves nearly as the middle under it does, so that a handful of rounds is enough.
+// A point moves nearly as the mid-surface under it does, so a handful of rounds is enough. Chosen:
+// far more.
 constexpr int most_rounds = 30;
 
-// Of the size: a miss that does not show in anything that is measured.
+// Residual relative to the size. From the accuracy that SheetMorph promises, 1e-9: a tenth of it.
 constexpr double negligible = 1e-10;
 
-// Likewise, of a point in a live frame: what it misses moves the sheet beyond it several times as
-// far.
+// The same for a point in a live frame. From the accuracy of a frame, 1e-6: the sheet beyond the
+// point moves several times as far as the point misses.
 constexpr double live = 2e-8;
 
 VertexIds all_vertices(const mesh::TriangleMesh& mesh)

@@ -192,7 +192,7 @@ private:
         }
     }
 
-    static constexpr std::size_t most_names = 4;
+    static constexpr std::size_t most_names = 4;  // chosen: a message stays on one line
 
     const Assembly& given_;
     JoinedParts joined_;

@@ -16,11 +16,12 @@ namespace sheetmorph::assembly
 namespace
 {
 
-// Of the size, and of a length: what is as near and as fine but for rounding.
+// Relative to the size, and to a length: differences that are rounding. Chosen: far above 1e-16,
+// and below or at the last digit of files with seven digits.
 constexpr double as_near = 1e-9;
 constexpr double as_fine = 1e-6;
 
-// The mean length of its edges in steps of a ratio.
+// The mean edge length, rounded to steps of a ratio.
 double coarseness(const mesh::TriangleMesh& mesh)
 {
     double sum = 0.0;
@@ -52,7 +53,7 @@ std::vector<char> rigid_vertices(const Assembly& joined)
     return is_rigid;
 }
 
-//! Lets vertices stand on others, none on itself in the end.
+//! Ties vertices to others, so that none depends on itself.
 class Tying
 {
 public:
@@ -64,7 +65,7 @@ public:
     {
     }
 
-    // The nearest first.
+    // Ties the targets of all seams, nearest first.
     void tie_targets(const std::vector<TiedSeam>& seams)
     {
         using Key = std::tuple<double, int, int>;  // distance, rank of the source, vertex
@@ -82,7 +83,7 @@ public:
                 known = place;
     }
 
-    // Where all of a triangle of the target stands elsewhere.
+    // Ties the source where a whole triangle of the target is already tied elsewhere.
     void tie_source(const TiedSeam& seam)
     {
         for (std::size_t k = 0; k < seam.source.size(); ++k)
@@ -121,7 +122,7 @@ private:
         return static_cast<int>(after - part_.joined.begin()) - 1;
     }
 
-    //! Whether a place is, or in the end stands, on a part.
+    //! Whether a place lies on a part, directly or through ties.
     bool leads_to(const mesh::Anchor& place, int part) const
     {
         std::set<int> seen;
@@ -154,7 +155,7 @@ private:
     const Part& part_;
     double step_;
     std::vector<char> is_rigid_;
-    std::vector<const mesh::Anchor*> place_of_;  // by vertex that is tied
+    std::vector<const mesh::Anchor*> place_of_;  // by vertex, if tied
 };
 
 }  // namespace

@@ -21,7 +21,8 @@ namespace
 
 constexpr int none = -1;
 
-// Of the size: places as far apart but for that are as near, so that rounding decides nothing.
+// Relative to the size: places whose distances differ by less are equally near, so that rounding
+// decides nothing. Chosen as in seam_ties.cpp.
 constexpr double as_near = 1e-9;
 
 //! Two vertices that may stay together; a < b.
@@ -94,7 +95,7 @@ std::vector<Pair> pairs_from(const mesh::TriangleMesh& mesh, const VertexIds& fr
     return pairs;
 }
 
-//! What stays together so far, rigid shapes from the start.
+//! Vertices that stay together so far; initially those of rigid shapes.
 class Clusters
 {
 public:
@@ -124,8 +125,8 @@ public:
 
     bool is_rigid(int vertex) const { return is_rigid_[at(vertex)] != 0; }
 
-    //! Joins two vertices, unless one of them has its partner on that part, or it would join two
-    //! places of one part, or what moves differently.
+    //! Joins two vertices. Refuses if one already has a partner on that part, or if that would join
+    //! two places of one part or differently moving shapes.
     bool join(int a, int b)
     {
         const int root_a = sets_.root(a), root_b = sets_.root(b);
@@ -191,9 +192,9 @@ private:
 
     const std::vector<int>& parts_;
     DisjointSets sets_;
-    std::vector<char> is_rigid_;              // by vertex: of a feature, handle or fixed region
-    Sets rigid_, loose_;                      // parts of those, and of other vertices, in a cluster
-    Sets drivers_;                            // handles that move it, none: the ground
+    std::vector<char> is_rigid_;              // by vertex: on a feature, handle or fixed region
+    Sets rigid_, loose_;                      // parts of these and other vertices in a cluster
+    Sets drivers_;                            // handles that move it; none: the ground
     std::set<std::pair<int, int>> partners_;  // (vertex, part)
 };
 

@@ -11,7 +11,7 @@ namespace sheetmorph
 namespace
 {
 
-// Of two sets of one processor family the wider one has the lower bit.
+// Within a processor family, the wider set has the lower bit.
 [[maybe_unused]] std::int64_t excluded()
 {
     const char* const given = std::getenv("SHEETMORPH_INSTRUCTIONS");
@@ -27,10 +27,10 @@ namespace
 
 void limit_instructions()
 {
-#if (HWY_TARGETS & (HWY_TARGETS - 1)) != 0  // there is a choice
+#if (HWY_TARGETS & (HWY_TARGETS - 1)) != 0  // more than one target
     [[maybe_unused]] static const bool is_limited = []
     {
-        // Other users of the library in this process keep their limits.
+        // Other users of Highway in this process keep their limits.
         if (excluded() != 0)
             hwy::DisableTargets(excluded());
         return true;

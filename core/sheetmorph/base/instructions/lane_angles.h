@@ -21,6 +21,7 @@ struct LaneAngles : LaneFunctions
     // Half of atan2(sine, cosine), sine >= 0, for sine^2 + cosine^2 = 1.
     static HWY_INLINE Lanes half_angle(Lanes sine, Lanes cosine)
     {
+        // From geometry: pi / 4, and the tangent of pi / 8, sqrt(2) - 1.
         constexpr double quarter_pi = 0.78539816339744830962,
                          tan_eighth_pi = 0.41421356237309504880;
         const Lanes below = filled(1.0) + hn::Abs(cosine);
@@ -39,8 +40,8 @@ struct LaneAngles : LaneFunctions
         return hn::IfThenElse(cosine < filled(0.0), filled(2.0 * quarter_pi) - angle, angle);
     }
 
-    // theta / (2 sin theta) in t = sin^2(theta / 2) up to 1/4, so 60 degrees: no root, no division.
-    // Error 3e-17.
+    // theta / (2 sin theta) as a function of t = sin^2(theta / 2), for t up to 1/4 (60 degrees).
+    // Needs no root and no division. Error 3e-17.
     static HWY_INLINE Lanes narrow_half_angle_ratio(Lanes t)
     {
         const Lanes t2 = t * t, t4 = t2 * t2, t8 = t4 * t4;
@@ -54,11 +55,11 @@ struct LaneAngles : LaneFunctions
             hn::MulAdd(polynomial(t, {-0.55664306358921529961, 0.48882777900113656649}), t2,
                        polynomial(t, {0.017569577684262441039, 0.16755628087674549646}));
         const Lanes highest = hn::MulAdd(filled(0.7768896471546718404), t4, high);
-        // One rounding at the end: far points lose what this loses to cancellation.
+        // One rounding at the end, because cancellation would enlarge it for distant points.
         return hn::MulAdd(t, hn::MulAdd(highest, t8, hn::MulAdd(middle, t4, low)), filled(0.5));
     }
 
-    // Any angle: half of it over the sine, from both of its functions.
+    // The same ratio for any angle, from its sine and cosine.
     static HWY_INLINE Lanes wide_half_angle_ratio(Lanes squared_sine, Lanes cosine)
     {
         const Lanes inverse_sine = inverse_root(squared_sine);

@@ -36,7 +36,7 @@ struct LaneFunctions
 
     static HWY_INLINE void store(Lanes value, double* to) { hn::StoreU(value, Doubles(), to); }
 
-    // Lane by lane entry `k` of each of `count` rows, from row `first` on.
+    // Entry `k` of each of `count` rows, from row `first` on, one row per lane.
     template <int count = width, int first = 0>
     static HWY_INLINE hn::Vec<hn::FixedTag<double, count>> gathered(
         const double* const (&rows)[width], int k)
@@ -51,7 +51,7 @@ struct LaneFunctions
 
     static HWY_INLINE bool any(Mask held) { return !hn::AllFalse(Doubles(), held); }
 
-    // \param lanes  `width` numbers, zero where the mask does not hold
+    // \param lanes  (width); receives 1 where the mask is set, else 0
     static HWY_INLINE void store(Mask held, double* lanes)
     {
         store(hn::IfThenElseZero(held, filled(1.0)), lanes);
@@ -72,8 +72,10 @@ struct LaneFunctions
         return sum;
     }
 
-    // 1 / sqrt(value), value >= 1e-280. Halving the exponent as an integer guesses it to 3 %; each
-    // step of fourth order raises the error to its fourth power.
+    // 1 / sqrt(value). Halving the exponent as an integer gives it to 3 % (the constant is from
+    // Robertson, A Brief History of InvSqrt, 2012). A step adds the Taylor series of (1 - e)^(-1/2)
+    // up to e^3 and raises the error to its fourth power. The least value, 1e-280, is chosen far
+    // from the smallest normal double (2e-308).
     static HWY_INLINE Lanes inverse_root(Lanes given)
     {
         const hn::RebindToUnsigned<Doubles> bits;

@@ -19,10 +19,10 @@ namespace HWY_NAMESPACE
 //! `width` matrices side by side.
 struct LaneMatrices : LaneFunctions
 {
-    // An implicit one would not be compiled for the instruction set.
+    // An implicit constructor would not be compiled for the instruction set.
     HWY_INLINE LaneMatrices() {}
 
-    //! Lanes beyond `count` are those of the first matrix.
+    //! Lanes beyond `count` repeat the first matrix.
     static HWY_INLINE LaneMatrices loaded(const Matrix3* matrices, int count)
     {
         const double* rows[width];
@@ -40,7 +40,7 @@ struct LaneMatrices : LaneFunctions
             LaneFunctions::store(at[k], numbers[k]);
     }
 
-    Lanes at[9];  //!< as they lie in memory: column by column
+    Lanes at[9];  //!< column by column
 };
 
 }  // namespace HWY_NAMESPACE

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/rotations/rotation_batch.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/instructions/instructions.h"
 #include "sheetmorph/base/log_near.h"
@@ -23,14 +24,16 @@ namespace
 
 struct Kernel : LaneAngles
 {
-    static constexpr double pi = 3.14159265358979323846;
-    static constexpr double pi_rest = 1.2246467991473531772e-16;  // what pi leaves of it
-    static constexpr double tiny = 1e-280;                        // inverse_root() asks for more
+    // From arithmetic: the number pi less the double nearest to it.
+    static constexpr double pi_rest = 1.2246467991473531772e-16;
+    static constexpr double tiny = 1e-280;  // from inverse_root(), which needs a larger value
 
-    // Squared cosine of half the angle: nearer to half a turn, log_near() tells the axis better.
+    // Squared cosine of half the angle. The axis is divided by four times the cosine. From
+    // rounding: a cosine of 0.1 costs less than one digit. Nearer to a half turn, log_near() is
+    // more accurate.
     static constexpr double surely_told = 0.01;
 
-    // Lanes beyond `count` are the first row again.
+    // Lanes beyond `count` repeat the first row.
     static HWY_INLINE Lanes3 loaded(const double* rows, int count)
     {
         const double* row[width];
@@ -41,7 +44,8 @@ struct Kernel : LaneAngles
 
     static HWY_INLINE Lanes rounded(Lanes value)
     {
-        const Lanes shift = filled(6755399441055744.0);  // 1.5 * 2^52
+        // 1.5 * 2^52: doubles of this size have no fraction, so the sum rounds.
+        const Lanes shift = filled(6755399441055744.0);
         return (value + shift) - shift;
     }
 
@@ -54,7 +58,7 @@ struct Kernel : LaneAngles
                               1.0 / 362880.0, -1.0 / 5040.0, 1.0 / 120.0, -1.0 / 6.0, 1.0});
     }
 
-    // cos(r), likewise.
+    // cos(r), for the same argument.
     static HWY_INLINE Lanes cosine(Lanes z)
     {
         return polynomial(
@@ -64,8 +68,8 @@ struct Kernel : LaneAngles
                 -1.0 / 720.0, 1.0 / 24.0, -0.5, 1.0});
     }
 
-    // R - 1 = 2 s^2 (v v^T - |v|^2) + 2 s c [v], s = sin|v| / |v|, c = cos|v|: half turns off |v|
-    // change the signs of both.
+    // R - 1 = 2 s^2 (v v^T - |v|^2) + 2 s c [v] with s = sin|v| / |v| and c = cos|v|. Subtracting
+    // half turns from |v| changes the signs of both.
     static HWY_INLINE void turn(const Lanes3& v, double (&changes)[9][width])
     {
         const Lanes xx = v.x * v.x, yy = v.y * v.y, zz = v.z * v.z;
@@ -99,7 +103,7 @@ struct Kernel : LaneAngles
         }
     }
 
-    // \returns lanes whose logs are told; the others are left to log_near()
+    // \returns lanes with a valid log; log_near() computes the others
     static HWY_INLINE Mask tell(const LaneMatrices& rotations, const Lanes3& reference,
                                 double (&logs)[3][width])
     {

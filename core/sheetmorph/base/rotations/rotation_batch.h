@@ -6,22 +6,22 @@
 namespace sheetmorph
 {
 
-//! Many rotations at once, each to rounding what rotation.h and log_near.h make of it alone. Which
-//! ones stand beside each other decides nothing, to the bit.
+//! Functions of rotation.h and log_near.h for many rotations at once, with the same results up to
+//! rounding. The results do not depend, to the bit, on the grouping of the rotations.
 
 //! rotation_from_log() of every row; exactly the identity for zeros.
 //! \param logs  (k, 3) (2.6)
 std::vector<Matrix3> rotations_from_logs(const Points& logs);
 
-//! The same of some rows, less the identity.
-//! \param changes  where that of row `begin` goes; one a row
+//! rotation_from_log() minus the identity, for some rows.
+//! \param changes  (end - begin) output
 void turns_from_logs(const Points& logs, Eigen::Index begin, Eigen::Index end, Matrix3* changes);
 
-//! What logarithms tell of rotations, and what they cannot.
+//! Logarithms of rotations, and the parts that they miss.
 struct NearLogs
 {
     Points logs;   //!< (k, 3) of log_near()
-    Points tilts;  //!< (k, 3) of tilt_beyond(); no rows: nothing
+    Points tilts;  //!< (k, 3) of tilt_beyond(); no rows if all are zero
 };
 
 //! \param references  (k, 3)

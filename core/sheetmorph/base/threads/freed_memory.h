@@ -4,8 +4,8 @@
 namespace sheetmorph
 {
 
-//! Returns freed memory to the system. glibc keeps it otherwise, hundreds of MB after a set-up on
-//! several threads. Does nothing with other C libraries.
+//! Returns freed memory to the system. After a set-up on several threads, glibc would otherwise
+//! keep hundreds of MB. Does nothing with other C libraries.
 void return_freed_memory();
 
 }  // namespace sheetmorph

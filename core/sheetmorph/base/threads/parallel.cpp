@@ -13,7 +13,7 @@ namespace sheetmorph
 namespace
 {
 
-// Enough that threads which are slower for a while leave work to the others.
+// Chosen: enough that faster threads take work from threads that are slow for a while.
 constexpr Eigen::Index most_ranges = 64;
 
 void run_in_turn(const std::vector<Task>& tasks, const Progress& progress)
@@ -78,7 +78,7 @@ void run_tasks(const std::vector<Task>& tasks, const Progress& progress)
         run_in_turn(tasks, progress);
         return;
     }
-    if (!pool.can_watch())  // a task of others: they report, these only ask to be cancelled
+    if (!pool.can_watch())  // inside another task: that one reports
     {
         pool.run(count, [&](Eigen::Index k) { tasks[static_cast<std::size_t>(k)].work(progress); });
         return;

@@ -11,17 +11,16 @@
 namespace sheetmorph
 {
 
-//! All work on threads goes through here: one pool of threads for the process, which sleep until
-//! there is something to do. Work may start further work. Exceptions reach the caller, once all
-//! that has begun has ended: the one that the first item in the list has thrown, whatever the
-//! number of threads. How work is cut does not depend on that number either, so results are the
-//! same bits with any.
+//! All parallel work uses these functions, and the process has one pool of threads, which sleep
+//! without work. Work may start further work. An exception reaches the caller after all started
+//! items have ended. With any number of threads, it is the exception of the first failing item. The
+//! division of work does not depend on the number of threads either, so results are the same bits.
 
-//! How many threads share work, the calling one among them: SHEETMORPH_THREADS, else the cores
-//! that this process may run on.
+//! Number of threads that share work, including the calling one: SHEETMORPH_THREADS, else the cores
+//! that this process may use.
 int thread_count();
 
-//! Another number of threads while it lives, for tests and measurements.
+//! Changes the number of threads during its lifetime, for tests and measurements.
 class ThreadCount
 {
 public:
@@ -37,26 +36,28 @@ private:
 //! Calls work(item) for 0 .. count - 1, in any order and at the same time.
 void parallel_items(Eigen::Index count, const std::function<void(Eigen::Index item)>& work);
 
-//! So many items of a microsecond each are a range.
+//! Items of a microsecond each in one range. Chosen: several times the 30 microseconds that waking
+//! a thread takes (thread_pool.cpp).
 constexpr Eigen::Index microsecond_items = 200;
 
 //! Calls work(begin, end) on disjoint ranges that cover 0 .. count - 1.
-//! \param least  items of a range, at least, unless there are fewer: some ten microseconds of work
+//! \param least  fewest items of a range, unless there are fewer in total; about ten microseconds
+//!     of work
 void parallel_ranges(Eigen::Index count, Eigen::Index least,
                      const std::function<void(Eigen::Index begin, Eigen::Index end)>& work);
 
-//! Both at the same time.
+//! Runs two functions in parallel.
 void parallel_pair(const std::function<void()>& one, const std::function<void()>& other);
 
 //! One independent piece of a long work.
 struct Task
 {
-    std::string name;                           //!< what is being done, as the user is told
-    std::function<void(const Progress&)> work;  //!< reports to be cancelled
+    std::string name;                           //!< current task, as shown to the user
+    std::function<void(const Progress&)> work;  //!< checks for cancellation through its argument
 };
 
 //! Runs independent tasks; only the calling thread reports to `progress`.
-//! \throws Cancelled  if the progress callback asks for it, after the running tasks end
+//! \throws Cancelled  if the progress callback requests it, after the running tasks end
 void run_tasks(const std::vector<Task>& tasks, const Progress& progress);
 
 }  // namespace sheetmorph

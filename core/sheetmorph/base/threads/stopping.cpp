@@ -9,8 +9,8 @@ namespace sheetmorph
 namespace
 {
 
-// A signal of the thread, not a parameter: one function on the way that does not pass a parameter
-// on would make the call impossible to cancel.
+// A thread-local signal, not a parameter: a single function that forgets to pass a parameter would
+// make a call impossible to cancel.
 thread_local StopSignal* of_this_thread = nullptr;
 
 }  // namespace

@@ -10,9 +10,9 @@
 namespace sheetmorph
 {
 
-//! Cancels a long call from inside. While a StopSignal lives, look_for_stop() in its thread runs
-//! the check, at most once per pause. Pool threads that help with the call never run the check;
-//! once it has thrown, they end with the same exception.
+//! Cancels a long call from inside. While a StopSignal exists, look_for_stop() in its thread runs
+//! the check, at most once per pause. Pool threads that help with the call never run the check.
+//! After it has thrown, they end with the same exception.
 class StopSignal
 {
 public:
@@ -28,7 +28,7 @@ public:
     //! The signal of this thread, or nullptr.
     static StopSignal* current();
 
-    //! \throws what the check threw, now or before
+    //! \throws what the check threw, now or earlier
     void look();
 
     //! Cancels the work of all threads with this exception.
@@ -39,12 +39,12 @@ private:
     const std::chrono::milliseconds pause_;
     const std::thread::id owner_;
     StopSignal* const outer_;
-    std::chrono::steady_clock::time_point next_;  // of the owner
+    std::chrono::steady_clock::time_point next_;  // only the owner uses it
     std::exception_ptr reason_;
     std::atomic<bool> is_ended_{false};
 };
 
-//! While it lives, this thread obeys the signal of another thread.
+//! During its lifetime, this thread obeys the signal of another thread.
 class WorkFor
 {
 public:

@@ -27,15 +27,15 @@ namespace sheetmorph
 namespace
 {
 
-// Who has just had something to do, or waits for something short, looks so long before it sleeps:
-// to be woken takes about as long.
+// A thread that has just worked, or waits for short work, spins for this long before it sleeps.
+// Chosen: waking a thread takes about as long.
 constexpr std::chrono::microseconds looking{30};
 
-constexpr std::chrono::milliseconds between_looks{100};
+constexpr std::chrono::milliseconds between_looks{100};  // chosen: a stop within 0.1 s
 
 thread_local bool is_of_pool = false;
 
-// A batch system may give a process fewer cores than the machine has.
+// A batch system may restrict a process to fewer cores than the machine has.
 int cores_of_process()
 {
 #ifdef __linux__
@@ -54,7 +54,7 @@ int threads_wanted()
     return threads > 0 ? threads : cores_of_process();
 }
 
-// Whether the condition holds before long.
+// Spins until the condition holds, for a limited time. Returns whether it holds.
 template <typename Condition>
 bool holds_soon(const Condition& condition)
 {
@@ -70,7 +70,7 @@ bool holds_soon(const Condition& condition)
 
 }  // namespace
 
-//! Items of one call. Items begin in their order, so all before one that failed have begun too.
+//! The items of one call. Items start in order, so all items before a failed one have started too.
 struct ThreadPool::Job
 {
     Job(Eigen::Index items, const Work& done_by, int places)
@@ -109,8 +109,8 @@ struct ThreadPool::Job
         }
     }
 
-    //! Hands the exception over to the caller. A pool thread that still refers to the job must not
-    //! destroy an exception of Python.
+    //! Throws the exception in the calling thread. A pool thread that still refers to the job must
+    //! not destroy a Python exception.
     void rethrow()
     {
         if (failure)
@@ -119,19 +119,20 @@ struct ThreadPool::Job
 
     const Eigen::Index count;
     const Work& work;
-    StopSignal* const stop;  // of the caller
+    StopSignal* const stop;  // of the calling thread
     std::atomic<Eigen::Index> next{0}, done{0};
-    std::atomic<int> helpers{0};  // at it
-    int free_places;              // for further ones
+    std::atomic<int> helpers{0};  // threads that work on it
+    int free_places;              // for further threads
     std::mutex failing;
     std::exception_ptr failure;
     Eigen::Index failed = 0;
 };
 
-//! What the threads share; each keeps it alive.
+//! The state that all threads share and keep alive.
 struct ThreadPool::Shared : std::enable_shared_from_this<Shared>
 {
-    //! The newest that has items and places: it is inside of others, or somebody's frame.
+    //! The newest job with free places and items left: others wait for it, or a user waits for its
+    //! frame.
     std::shared_ptr<Job> take()
     {
         for (auto job = open.rbegin(); job != open.rend(); ++job)
@@ -144,7 +145,7 @@ struct ThreadPool::Shared : std::enable_shared_from_this<Shared>
         return nullptr;
     }
 
-    //! How many threads there are for it; none if the machine gives none.
+    //! Offers the job to the threads. Returns their number; 0 if the system starts none.
     int offer(const std::shared_ptr<Job>& job)
     {
         const std::lock_guard<std::mutex> lock(mutex);
@@ -165,7 +166,7 @@ struct ThreadPool::Shared : std::enable_shared_from_this<Shared>
         }
         catch (const std::system_error&)
         {
-            // With those there are, or the caller alone.
+            // Continues with the threads that exist, or with the calling one alone.
         }
     }
 
@@ -175,7 +176,7 @@ struct ThreadPool::Shared : std::enable_shared_from_this<Shared>
         open.erase(std::remove(open.begin(), open.end(), job), open.end());
     }
 
-    //! Whether all items have ended, which it waits for a while.
+    //! Waits for a while. Returns whether all items have ended.
     bool is_over(const Job& job)
     {
         std::unique_lock<std::mutex> lock(mutex);
@@ -183,8 +184,8 @@ struct ThreadPool::Shared : std::enable_shared_from_this<Shared>
                              [&] { return job.has_begun() && job.helpers == 0; });
     }
 
-    //! Lets no thread join the job any more, and waits for those at work on it. Looks for a stop
-    //! meanwhile.
+    //! Closes the job to further threads, waits for those that work on it, and checks for
+    //! cancellation meanwhile.
     void finish(const std::shared_ptr<Job>& job)
     {
         close(job);
@@ -212,7 +213,7 @@ struct ThreadPool::Shared : std::enable_shared_from_this<Shared>
         }
     }
 
-    //! The life of a thread; it sleeps until the process ends.
+    //! The main function of a thread.
     void serve()
     {
         is_of_pool = true;
@@ -230,7 +231,7 @@ struct ThreadPool::Shared : std::enable_shared_from_this<Shared>
                 await(lock);
     }
 
-    //! Returns when a further job was opened.
+    //! Sleeps until another job is opened.
     void await(std::unique_lock<std::mutex>& lock)
     {
         const long seen = opened;
@@ -245,7 +246,7 @@ struct ThreadPool::Shared : std::enable_shared_from_this<Shared>
     std::mutex mutex;
     std::condition_variable offered, left;
     std::vector<std::shared_ptr<Job>> open;
-    std::atomic<long> opened{0};  // jobs, ever
+    std::atomic<long> opened{0};  // number of jobs ever opened
     int threads = 0;
 };
 
@@ -258,7 +259,7 @@ ThreadPool& ThreadPool::common()
 ThreadPool::ThreadPool() : threads_(threads_wanted()), shared_(std::make_shared<Shared>())
 {
 #ifndef _WIN32
-    // A forked process does not inherit the threads, so it starts its own.
+    // A forked process does not inherit the threads and starts its own.
     pthread_atfork(nullptr, nullptr,
                    []
                    {

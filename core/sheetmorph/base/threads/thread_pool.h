@@ -9,8 +9,8 @@
 namespace sheetmorph
 {
 
-//! The threads behind parallel.h, which sleep until there is something to do. Whoever waits, waits
-//! for items that others have begun of a job of his own: jobs within jobs never wait in a circle.
+//! The threads behind parallel.h. A waiting thread waits only for started items of its own job, so
+//! nested jobs never wait in a circle.
 //!
 //! oneTBB 2021.8 in place of this pool (measured in 2026 on two cores): live frames of 1,000 to
 //! 100,000 vertices equally fast, those of control meshes with 10 % more processor time, results
@@ -22,26 +22,26 @@ public:
     using Work = std::function<void(Eigen::Index item)>;
     using Watch = std::function<void(Eigen::Index done)>;
 
-    //! The one of the process: more would fight for its cores.
+    //! The pool of the process. A second one would compete for its cores.
     static ThreadPool& common();
 
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
-    //! How many threads share work, the calling one among them.
+    //! Number of threads that share work, including the calling one.
     int threads() const { return threads_; }
     void set_threads(int threads);
 
-    //! All items, on the calling thread and those that are free.
-    //! \throws what the first item that failed threw; those after it may not have begun
+    //! Runs all items on the calling thread and on free threads.
+    //! \throws what the first failing item threw; later items may not have started
     void run(Eigen::Index count, const Work& work);
 
-    //! All items, on the pool's threads, while the calling one calls watch() from time to time. If
-    //! it throws, items that have not begun are left out.
+    //! Runs all items on the pool's threads, while the calling thread calls watch() from time to
+    //! time. If watch() throws, items that have not started are skipped.
     void run_watched(Eigen::Index count, const Work& work, const Watch& watch);
 
-    //! Whether run_watched() has threads to run on: there is more than one, and the calling one is
-    //! not one of them.
+    //! Whether run_watched() has threads to run on: there are at least two, and the calling thread
+    //! is not one of the pool.
     bool can_watch() const;
 
 private:
@@ -50,7 +50,7 @@ private:
     ThreadPool();
 
     std::atomic<int> threads_;
-    std::shared_ptr<Shared> shared_;  // with the threads, which keep it
+    std::shared_ptr<Shared> shared_;  // the threads share and keep it
 };
 
 }  // namespace sheetmorph

@@ -12,7 +12,7 @@ namespace sheetmorph::cad
 namespace
 {
 
-// Between faces that keep their surfaces edges are as smooth as they were.
+// Between faces that keep their surfaces, edges keep their continuity.
 void keep_continuity(const ShapeCarrier& carrier, ShapeBuilder& builder)
 {
     const BRep_Builder change;
@@ -35,6 +35,8 @@ void keep_continuity(const ShapeCarrier& carrier, ShapeBuilder& builder)
 WasheredMesh with_washers(const ShapeMesh& mesh, const Points& result,
                           const CarryTolerances& tolerances)
 {
+    // Relative to the tolerance of edges. Chosen: where the divided washer meets its neighbours,
+    // the division uses a twentieth of what may be off.
     constexpr double of_edge = 0.05;
     const double rigid = rigid_tolerance(mesh);
     return divide_along_washers(mesh, result, face_motions(mesh, result, rigid),

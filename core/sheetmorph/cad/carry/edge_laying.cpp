@@ -15,9 +15,11 @@ void ShapeCarrier::lay_on_faces(CarriedEdge& edge)
 {
     if (edge.is_degenerated)
         return;
+    // From OpenCASCADE, mm: no reader gives an edge a smaller tolerance. A wave is 3 % higher than
+    // the gap, chosen as in measure_edge(), and at least two grains of a file (CarryTolerances)
+    // high.
     constexpr double exact = 1e-7, more = 1.03;
-    constexpr double unseen = 0.9e-7;  // no reader gives an edge a smaller tolerance
-    constexpr double least = 2e-6;     // of a wave that a reader's rounding leaves as it is, mm
+    constexpr double unseen = 0.9e-7, least = 2e-6;
     double largest = 0.0;
     EdgeOnFace* worst = nullptr;
     for (EdgeOnFace& use : edge.uses)
@@ -25,7 +27,7 @@ void ShapeCarrier::lay_on_faces(CarriedEdge& edge)
         const CarriedFace& face = faces_[static_cast<std::size_t>(use.face)];
         if (!face.spline)
             continue;
-        if (BRep_Tool::IsClosed(edge.edge, face.face))  // no other face has the seam
+        if (BRep_Tool::IsClosed(edge.edge, face.face))  // no other face shares the seam
         {
             const auto surface = Handle(Geom_BSplineSurface)::DownCast(face.surface);
             if (const auto seam = border_above(use.curve, surface, edge.low, edge.high);

@@ -20,6 +20,7 @@ Points rows_of(const VertexIds& vertices, const Points& points)
 
 double rigid_tolerance(const ShapeMesh& mesh)
 {
+    // From the accuracy that SheetMorph promises: a rigid motion is exact to 1e-9 of the size.
     constexpr double share = 1e-9;
     return share * (mesh.rest.colwise().maxCoeff() - mesh.rest.colwise().minCoeff()).norm();
 }
@@ -34,8 +35,8 @@ Handle(Geom_Surface) placed_surface(const TopoDS_Face& face)
 namespace
 {
 
-// Faces side by side that move as one get the same numbers, those of the largest: the circle of a
-// hole, its wall and its washer then have one axis to the last digit.
+// Gives adjacent faces with one motion the same numbers, those of the largest face. Then the circle
+// of a hole, its wall and its washer have one axis to the last digit.
 class SharedMotions
 {
 public:

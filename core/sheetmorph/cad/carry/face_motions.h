@@ -9,22 +9,22 @@
 namespace sheetmorph::cad
 {
 
-//! One a face of a shape; none where it does not keep its surface.
+//! One entry per face of a shape; empty if the face does not keep its surface.
 using FaceMotions = std::vector<std::optional<KeptMotion>>;
 
-//! What became of every face, by what the vertices of its mesh did.
+//! Determines the motion of every face from the vertices of its mesh.
 //! \param result     (n, 3) positions of the mesh
 //! \param tolerance  of a rigid motion, mm
 //! \throws InvalidInput if a face has no mesh
 FaceMotions face_motions(const ShapeMesh& mesh, const Points& result, double tolerance);
 
-//! A surface where its face stands.
+//! The surface of a face, placed like the face.
 Handle(Geom_Surface) placed_surface(const TopoDS_Face& face);
 
 //! Some rows of points.
 Points rows_of(const VertexIds& vertices, const Points& points);
 
-//! Of the size of a mesh at rest: what moves rigidly to within it is rigid, mm.
+//! Tolerance of rigid motions for a mesh at rest, mm.
 double rigid_tolerance(const ShapeMesh& mesh);
 
 }  // namespace sheetmorph::cad

@@ -18,10 +18,10 @@ Vector3 point_at(const Handle(Geom_Surface) & surface, double u, double v)
     return to_vector(surface->Value(u, v).XYZ());
 }
 
-// How far two opposite borders are from being one curve, mm.
+// Largest distance between two opposite borders, which is 0 for one curve, mm.
 double distance_across(const SurfacePatch& patch, int direction)
 {
-    constexpr int samples = 8;
+    constexpr int samples = 8;  // chosen: two different borders agree at nine places by chance only
     double worst = 0.0;
     for (int i = 0; i <= samples; ++i)
     {
@@ -36,7 +36,7 @@ double distance_across(const SurfacePatch& patch, int direction)
     return worst;
 }
 
-// Whether the borders of a patch that lie on one of its sides run all along it.
+// Whether the borders of a patch on one of its sides cover that side completely.
 bool is_along(const SurfacePatch& patch, const FaceBorder& border, int direction, double at)
 {
     const double range = patch.high(direction) - patch.low(direction);
@@ -49,7 +49,7 @@ bool is_along(const SurfacePatch& patch, const FaceBorder& border, int direction
     return true;
 }
 
-// The rest of a surface that has ends is no part of it.
+// Cuts the patch to the extent of a bounded surface.
 void keep_inside(SurfacePatch& patch)
 {
     double low_u = 0.0, high_u = 0.0, low_v = 0.0, high_v = 0.0;
@@ -65,7 +65,7 @@ void keep_inside(SurfacePatch& patch)
         }
 }
 
-// The box around borders. \returns whether they are straight
+// Sets the patch to the box around borders. \returns whether they are straight
 bool put_around(SurfacePatch& patch, const std::vector<FaceBorder>& borders)
 {
     patch.low.setConstant(1e300);
@@ -73,6 +73,7 @@ bool put_around(SurfacePatch& patch, const std::vector<FaceBorder>& borders)
     bool is_straight = true;
     for (const FaceBorder& border : borders)
     {
+        // Chosen: between samples, an arc leaves their box by 1 - cos(2 pi / 128), 0.1 % at most.
         constexpr int samples = 64;
         for (int i = 0; i <= samples; ++i)
         {
@@ -88,7 +89,7 @@ bool put_around(SurfacePatch& patch, const std::vector<FaceBorder>& borders)
 
 using Ranges = std::vector<std::pair<double, double>>;
 
-// The stretches of each side that borders run along; one that is one point makes it a pole.
+// The ranges of each side that borders cover. A side that is one point in space becomes a pole.
 std::array<Ranges, 4> borders_along(SurfacePatch& patch, const std::vector<FaceBorder>& borders)
 {
     std::array<Ranges, 4> along;
@@ -108,8 +109,8 @@ std::array<Ranges, 4> borders_along(SurfacePatch& patch, const std::vector<FaceB
     return along;
 }
 
-// Whether both sides have borders at one place. A strip that winds about a cylinder has a border
-// on either side, but none across from the other.
+// Whether both sides have a border at the same place. A strip that winds around a cylinder has
+// borders on both sides, but never opposite each other.
 bool has_seam(const Ranges& low, const Ranges& high, double least)
 {
     for (const auto& one : low)
@@ -119,9 +120,11 @@ bool has_seam(const Ranges& low, const Ranges& high, double least)
     return false;
 }
 
-// The knots of a curve that shall lie on a straight border along which one parameter changes.
+// Adds the knots of a curve that must lie on a straight border along which one parameter changes.
 void add_knots(const FaceBorder& border, SurfacePatch& patch)
 {
+    // Share of a border across which its parameter stays constant. From rounding of parameters
+    // (1e-16) and from files with ten digits.
     constexpr double exact = 1e-9;
     const Handle(Geom_BSplineCurve) spline = Handle(Geom_BSplineCurve)::DownCast(border.target);
     if (spline.IsNull() || Geom2dAdaptor_Curve(border.curve).GetType() != GeomAbs_Line)

@@ -14,11 +14,11 @@ struct FaceBorder
 {
     Handle(Geom2d_Curve) curve;
     double low = 0.0, high = 0.0;
-    bool is_degenerated = false;  //!< one point in space
-    Handle(Geom_Curve) target;    //!< in space, where the face shall meet it; may be none
+    bool is_degenerated = false;  //!< a single point in space
+    Handle(Geom_Curve) target;    //!< curve in space that the face must meet; may be null
 };
 
-//! The part of a surface that lies between borders; a bit more where they are curved.
+//! The part of a surface between borders, slightly larger if they are curved.
 SurfacePatch surface_patch(const Handle(Geom_Surface) & surface,
                            const std::vector<FaceBorder>& borders);
 

@@ -20,6 +20,8 @@ namespace sheetmorph::cad
 namespace
 {
 
+// Radians, and mm: axes that agree are one axis. From the accuracy of rigid motions, 1e-9, and from
+// OpenCASCADE's Precision::Confusion, 1e-7 mm.
 constexpr double same_angle = 1e-9, same_place = 1e-7;
 
 bool is_plane_spanned(const Points& points)
@@ -27,11 +29,13 @@ bool is_plane_spanned(const Points& points)
     const Points about = points.rowwise() - points.colwise().mean();
     const Matrix3 moments = about.transpose() * about;
     const Vector3 values = Eigen::SelfAdjointEigenSolver<Matrix3>(moments).eigenvalues();
-    constexpr double straight = 1e-8;  // a ten thousandth of its length wide
+    // Squares of lengths: a line may be 1e-4 of its length wide. Chosen: its width then turns the
+    // motion about it by errors of rounding over 1e-4, 1e-12.
+    constexpr double straight = 1e-8;
     return values(1) > straight * values(2);
 }
 
-// A point at another distance from an axis.
+// The point, with its distance from an axis multiplied by `scale`.
 Vector3 resized(const Vector3& point, const gp_Ax1& axis, double scale)
 {
     const Vector3 foot = to_vector(axis.Location().XYZ());
@@ -97,7 +101,7 @@ std::optional<KeptMotion> rigid_fit(const Points& from, const Points& to, double
     if (from.rows() < (is_straight ? 2 : 3) || (!is_straight && !is_plane_spanned(from)))
         return {};
     const Vector3 centre = from.colwise().mean(), there = to.colwise().mean();
-    // Far from the origin a turn and a shift would cancel.
+    // Far from the origin, rotation and translation would cancel.
     const Points one = from.rowwise() - centre.transpose(),
                  other = to.rowwise() - there.transpose();
     const RigidMotion best = best_rigid_motion(one, other);
@@ -122,7 +126,7 @@ std::optional<KeptMotion> resized_fit(const Points& from, const Points& to, doub
     const Eigen::FullPivLU<Matrix3> moments(one.transpose() * one);
     if (!moments.isInvertible())
         return {};
-    // The affine map is a rotation after a scaling across the axis.
+    // The affine map is a scaling across the axis, followed by a rotation.
     const Matrix3 map = (moments.inverse() * (one.transpose() * other)).transpose();
     const gp_Ax3& place = cylinder->Position();
     const double scale = 0.5

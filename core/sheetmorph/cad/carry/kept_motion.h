@@ -12,8 +12,8 @@
 namespace sheetmorph::cad
 {
 
-//! What became of a face or edge that keeps its surface or curve: a rigid motion, and before it, of
-//! a cylinder, another radius.
+//! The motion of a face or edge that keeps its surface or curve: a change of radius, for a
+//! cylinder, then a rigid motion.
 struct KeptMotion
 {
     gp_Trsf motion;
@@ -23,18 +23,18 @@ struct KeptMotion
     Vector3 point(const Vector3& before) const;
     Handle(Geom_Surface) surface(const Handle(Geom_Surface) & before) const;
 
-    //! \returns null for a curve that becomes another one: neither a circle about the axis nor a
-    //!          line along it
+    //! \returns null if the curve becomes another one: neither a circle about the axis nor a line
+    //!     along it
     Handle(Geom_Curve) curve(const Handle(Geom_Curve) & before) const;
 };
 
-//! The rigid motion that takes rows of `from` to rows of `to`, none if one is off by more than
-//! `tolerance` (mm).
-//! \param is_straight  whether a straight row is enough, else points must span a plane
+//! The rigid motion that takes the rows of `from` to the rows of `to`; nothing if a row deviates by
+//! more than `tolerance` (mm).
+//! \param is_straight  whether collinear points suffice; otherwise they must span a plane
 std::optional<KeptMotion> rigid_fit(const Points& from, const Points& to, double tolerance,
                                     bool is_straight);
 
-//! The same with another distance from the axis of a cylinder; none for another surface.
+//! The same with a change of a cylinder's radius; nothing for other surfaces.
 std::optional<KeptMotion> resized_fit(const Points& from, const Points& to, double tolerance,
                                       const Handle(Geom_Surface) & surface);
 

@@ -90,7 +90,7 @@ Handle(Geom2d_Curve) ShapeBuilder::written_curve(const TopoDS_Edge& edge,
         ->written;
 }
 
-// The curves of the edges in the parameters of a face are what they were, or lie beneath them.
+// The curves of the edges in the parameters of a face stay, or are recomputed beneath the edges.
 void ShapeBuilder::add_parameters(const TopoDS_Face& face, const CarriedFace& carried)
 {
     const TopoDS_Face before = TopoDS::Face(carried.face.Oriented(TopAbs_FORWARD));
@@ -102,7 +102,7 @@ void ShapeBuilder::add_parameters(const TopoDS_Face& face, const CarriedFace& ca
         Standard_Boolean is_stored = false;
         const Handle(Geom2d_Curve) curve =
             BRep_Tool::CurveOnSurface(old, before, low, high, &is_stored);
-        // A plane needs none, and one that stays a plane keeps what it had.
+        // A plane needs no such curve. A face that stays a plane keeps its stored one.
         if (curve.IsNull() || (!is_stored && !carried.spline))
             continue;
         const double tolerance = BRep_Tool::Tolerance(edge);

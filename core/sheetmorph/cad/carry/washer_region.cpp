@@ -15,7 +15,7 @@ std::pair<int, int> ascending(int a, int b)
     return {std::min(a, b), std::max(a, b)};
 }
 
-// Vertices one after the other; none if they are no loop or several.
+// The vertices in order; empty unless they form a single loop.
 VertexIds loop_of(const std::map<int, int>& next)
 {
     VertexIds loop;
@@ -73,7 +73,7 @@ FaceTriangles::FaceTriangles(const ShapeMesh& mesh, int face, const std::vector<
         }
 }
 
-// What is connected to triangles at seeds.
+// The triangles connected to those at `seeds`.
 std::set<int> FaceTriangles::connected(const std::set<int>& allowed, const VertexIds& seeds) const
 {
     const std::set<int> first(seeds.begin(), seeds.end());
@@ -95,7 +95,7 @@ std::set<int> FaceTriangles::connected(const std::set<int>& allowed, const Verte
     return found;
 }
 
-// The side itself if one of some triangles lies left of it.
+// The side, if one of some triangles lies to its left.
 std::optional<FaceTriangles::Side> FaceTriangles::left_of(const Side& side,
                                                           const std::set<int>& triangles) const
 {
@@ -105,8 +105,8 @@ std::optional<FaceTriangles::Side> FaceTriangles::left_of(const Side& side,
     return side;
 }
 
-// Finds wires and outline of a region. Its vertices where it touches itself, another border than
-// its own, or runs along only a part of a wire.
+// Finds wires and outline of a region. Returns the vertices where it touches itself, touches a
+// border that is not its own, or runs along only a part of a wire.
 std::set<int> FaceTriangles::faults(WasherRegion& region) const
 {
     std::set<int> bad;

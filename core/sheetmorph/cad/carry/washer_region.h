@@ -10,28 +10,28 @@
 namespace sheetmorph::cad
 {
 
-//! Triangles of a face that go around some of its wires, and lie within the face else.
+//! Triangles of a face that surround some of its wires and otherwise lie inside the face.
 struct WasherRegion
 {
     std::set<int> triangles;  //!< of the mesh
     std::set<int> wires;      //!< of the face, counted from 0
-    VertexIds outline;        //!< a closed loop inside the face; the triangles lie left of it
+    VertexIds outline;        //!< closed loop inside the face, with the triangles to its left
 };
 
-//! The mesh of one face, where washers are looked for.
+//! The mesh of one face, for the search for washers.
 class FaceTriangles
 {
 public:
-    //! \param triangles  of the mesh, that lie on the face
+    //! \param triangles  triangles of the mesh on the face
     FaceTriangles(const ShapeMesh& mesh, int face, const std::vector<int>& triangles);
 
-    //! The parameters of a vertex; of one that comes twice, none are told.
+    //! Parameters of the vertices, without vertices that occur twice.
     const std::map<int, Vector2>& parameters() const { return parameters_; }
 
-    //! The triangles around wires that touch `seeds`, all of whose vertices are in `moved`.
+    //! The triangles around wires that touch `seeds` and have all their vertices in `moved`.
     std::optional<WasherRegion> around(const VertexIds& seeds, const std::set<int>& moved) const;
 
-    //! Takes triangles away. \returns false, and takes none, if what is left is in pieces
+    //! Removes triangles. \returns false, without a change, if the rest would be in pieces
     bool take(const std::set<int>& triangles);
 
 private:
@@ -44,8 +44,8 @@ private:
     std::map<int, Vector2> parameters_;
     std::map<int, std::array<int, 3>> corners_;  // counter-clockwise in the parameters
     std::map<Side, int> triangle_;               // by its sides
-    std::map<Side, int> wire_;                   // of a side on a border, smaller vertex first
-    std::map<int, int> length_;                  // of wires, in sides
+    std::map<Side, int> wire_;                   // of a border side, smaller vertex first
+    std::map<int, int> length_;                  // of wires, number of sides
     std::set<int> border_;                       // vertices
 };
 

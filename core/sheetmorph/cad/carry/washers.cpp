@@ -24,7 +24,7 @@ namespace sheetmorph::cad
 namespace
 {
 
-// A mesh that is changed, and the shape that is built anew around divided faces.
+// A changed mesh, and the shape rebuilt around divided faces.
 class Divider
 {
 public:
@@ -136,7 +136,7 @@ private:
         return edges;
     }
 
-    // A straight edge in the parameters of a face.
+    // An edge that is straight in the parameters of a face.
     TopoDS_Edge edge_between(const Vector2& from, const Vector2& to, const TopoDS_Face& face) const
     {
         TopLoc_Location place;
@@ -187,7 +187,7 @@ private:
         mesh_->on_face.push_back(std::move(here));
     }
 
-    // A face has only the vertices of those triangles that it still has.
+    // Removes vertices of a face that its remaining triangles do not use.
     void keep_vertices_of(int face)
     {
         std::set<int> own;
@@ -206,7 +206,7 @@ private:
         mesh_->on_face[static_cast<std::size_t>(face)] = std::move(left);
     }
 
-    // A shape that holds divided faces, built anew; others as they are.
+    // A shape that contains divided faces, rebuilt; other shapes unchanged.
     TopoDS_Shape rebuilt(const TopoDS_Shape& shape)
     {
         const bool is_group = shape.ShapeType() < TopAbs_FACE;

@@ -6,11 +6,11 @@
 namespace sheetmorph::cad
 {
 
-//! A number that is worst somewhere.
+//! The worst value of a quantity, and where it occurs.
 struct WorstAt
 {
     double value = 0.0;
-    int face = -1;                    //!< counted from 0; -1 if there is none
+    int face = -1;                    //!< counted from 0; -1 for none
     Vector3 place = Vector3::Zero();  //!< mm
 };
 

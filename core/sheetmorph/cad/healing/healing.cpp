@@ -19,7 +19,9 @@ namespace sheetmorph::cad
 namespace
 {
 
-constexpr double farthest = 0.01;  // mm
+// mm: how far healing may move a surface. Chosen: the default tolerance of writing
+// (CarryTolerances::surface), so that a healed shape is as exact as a written one.
+constexpr double farthest = 0.01;
 
 TopoDS_Shape unplaced(const TopoDS_Shape& shape)
 {
@@ -41,7 +43,7 @@ bool has_as_many(const TopoDS_Shape& one, const TopoDS_Shape& other)
     return true;
 }
 
-// How far vertices were moved, and how inexact edges and vertices are now, mm.
+// The largest displacement of a vertex, or the new tolerance of an edge or vertex, mm.
 double change(const TopoDS_Shape& before, const TopoDS_Shape& after,
               const Handle(BRepTools_ReShape) & context)
 {

@@ -8,29 +8,29 @@
 namespace sheetmorph::cad
 {
 
-//! Heals the products of a document whose bodies OpenCASCADE's BRepCheck does not accept, where
-//! that leaves all faces and moves nothing by more than a hundredth of a millimetre.
+//! Heals the products of a document whose bodies fail OpenCASCADE's BRepCheck, if all faces survive
+//! and nothing moves by more than 0.01 mm.
 class Healing
 {
 public:
-    //! \param source  whose bodies were collected; they must be collected anew if is_any()
+    //! \param source  with collected bodies; collect them again if is_any()
     explicit Healing(CadSource& source);
 
     bool is_any() const { return !before_.IsEmpty(); }
 
-    //! What faces and solids were, by what they are; all without placements.
+    //! Originals of faces and solids, by their healed form; all without placements.
     const TopTools_DataMapOfShapeShape& before() const { return before_; }
 
-    //! Says of every body what was wrong with it, and what still is.
+    //! Records for every body its faults before and after healing.
     void note(std::vector<NamedShape>& bodies) const;
 
 private:
     void heal_product(CadDocument& document, const TDF_Label& product);
 
-    std::vector<std::vector<std::string>> faults_;  // one a body
-    std::vector<int> products_;         // one a body: the index of what healed it, or -1
+    std::vector<std::vector<std::string>> faults_;  // one per body
+    std::vector<int> products_;         // one per body: index of the healed product, or -1
     std::vector<TopoDS_Shape> bodies_;  // without placements
-    std::vector<double> within_;        // one a healed product, mm
+    std::vector<double> within_;        // one per healed product, mm
     TopTools_DataMapOfShapeShape before_;
 };
 

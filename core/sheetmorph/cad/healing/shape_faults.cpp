@@ -61,7 +61,7 @@ void add_words(const BRepCheck_ListOfStatus& all, std::set<std::string>& found)
             found.insert(words(it.Value()));
 }
 
-// Of a face and of its borders, edges and vertices, alone and on it.
+// Faults of a face, and of its borders, edges and vertices, alone and on the face.
 std::set<std::string> faults_of_face(const BRepCheck_Analyzer& analyzer, const TopoDS_Shape& face)
 {
     std::set<std::string> found;

@@ -8,8 +8,8 @@
 namespace sheetmorph::cad
 {
 
-//! What of a shape OpenCASCADE's BRepCheck does not accept, a few words each: "face 3: its borders
-//! cross". Faces are counted from 0. Empty for a valid shape.
+//! The faults that OpenCASCADE's BRepCheck finds, a few words each: "face 3: its borders cross".
+//! Faces are counted from 0. Empty for a valid shape.
 std::vector<std::string> shape_faults(const TopoDS_Shape& shape);
 
 }  // namespace sheetmorph::cad

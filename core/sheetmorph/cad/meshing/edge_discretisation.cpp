@@ -28,7 +28,8 @@ namespace sheetmorph::cad
 namespace
 {
 
-// How much longer the next piece of an edge may be, for each mm away from a shorter one.
+// How much longer the next piece of an edge may be, for each mm away from a shorter one. Chosen:
+// each piece is at most about 1.5 times as long as the one before.
 constexpr double growth = 0.4;
 
 // An edge as points on it.
@@ -85,7 +86,7 @@ Pieces cut_shorter(const Pieces& coarse, const TopoDS_Edge& edge, const Lengths&
     double along = 0.0;
     for (std::size_t i = 0; i + 1 < coarse.points.size(); ++i)
     {
-        constexpr int samples = 64;
+        constexpr int samples = 64;  // chosen: sizes that grow by 0.4 are integrated to 1 %
         const double length = coarse.length(i), step = length / samples;
         std::array<double, samples + 1> count{};  // of wanted pieces up to each sample
         for (std::size_t k = 0; k < samples; ++k)

@@ -26,6 +26,7 @@ double worth(const FaceVertex& a, const FaceVertex& b, const FaceVertex& c)
     const Vector3 p = b.point - a.point, q = c.point - b.point, r = a.point - c.point;
     const Vector3 normal = p.cross(r);
     const Vector3 outward = a.normal + b.normal + c.normal;
+    // Chosen: a triangle that leans by more than 78 degrees to the surface is folded.
     if (outward.squaredNorm() > 0 && -normal.dot(outward) < 0.2 * normal.norm() * outward.norm())
         return -1.0;
     double sides[] = {p.squaredNorm(), q.squaredNorm(), r.squaredNorm()};

@@ -70,6 +70,8 @@ Convergence FaceRefiner::run()
 {
     flip_all();
     Convergence found = split_all();
+    // Chosen, not measured: Botsch and Kobbelt, A Remeshing Approach to Multiresolution Modeling,
+    // 2004, take 5 to 10; here the first mesh is already of the right size.
     constexpr int rounds = 4;
     for (int round = 0; round < rounds; ++round)
     {
@@ -87,6 +89,7 @@ Convergence FaceRefiner::run()
 double FaceRefiner::length_excess(const FaceVertex& a, const FaceVertex& b) const
 {
     const double length = (b.point - a.point).norm();
+    // From Botsch and Kobbelt 2004: halves of a side this long are as near to the size as the side.
     constexpr double tolerated = 4.0 / 3.0;
     const double wanted = std::min(0.5 * (a.size + b.size), sizes_.edge / tolerated);
     return length < shortest_ ? 0.0 : length / (tolerated * wanted);
@@ -139,6 +142,7 @@ void FaceRefiner::spread_sizes()
 
 Convergence FaceRefiner::split_all()
 {
+    // A round halves the sides that are too long. Chosen: 40 halvings divide a side by 1e12.
     constexpr int most_rounds = 40;
     Convergence found{edges_of_face, false, 0, 0.0, "edges"};
     while (found.rounds < most_rounds && !found.is_converged)
@@ -189,7 +193,7 @@ bool FaceRefiner::try_split(const Side& side)
         return false;
     // Beside a long side that stays, shorter and shorter ones would make thinner and thinner
     // triangles.
-    constexpr double thin = 0.03;  // 10 degrees
+    constexpr double thin = 0.03;  // from geometry: worth() is the squared sine of 10 degrees
     const double before = std::min(worth(a, b, c), worth(b, a, d));
     if (after < thin && after < 0.9 * before && bend_excess(a, b) <= 1.0)
         return false;
@@ -223,6 +227,7 @@ bool FaceRefiner::flip_if_better(int t, int k)
 
 Convergence FaceRefiner::flip_all()
 {
+    // Chosen, not measured: a limit for rounding that would flip the same side again and again.
     constexpr int most_rounds = 30;
     Convergence found{edges_of_face, false, 0, 0.0, "edges"};
     for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
@@ -239,7 +244,7 @@ Convergence FaceRefiner::flip_all()
 void FaceRefiner::legalise(int v)
 {
     std::vector<int> open = mesh_.around(v);
-    constexpr std::size_t most = 200;
+    constexpr std::size_t most = 200;  // chosen: a new vertex changes some ten sides
     for (std::size_t done = 0; done < open.size() && done < most; ++done)
     {
         const int t = open[done];

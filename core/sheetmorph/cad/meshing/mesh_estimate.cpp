@@ -28,8 +28,13 @@ namespace sheetmorph::cad
 namespace
 {
 
+// As in repair/remeshing. Measured: a set-up takes 3.2 GiB for a million vertices, that is two
+// million triangles, so this limit needs about 5 GiB.
 constexpr double most_triangles = 3e6;
-constexpr int samples = 4;  // along an edge, and along either parameter of a face
+
+// Along an edge, and along either parameter of a face. Chosen: an estimate to a factor of two is
+// enough, because the limit is a round number.
+constexpr int samples = 4;
 
 // The longest chord that follows a curvature: see CadMeshing.
 double chord(double curvature, const CadMeshing& meshing)
@@ -115,7 +120,8 @@ void MeshEstimate::add(const TopoDS_Face& face)
 double MeshEstimate::triangles(const CadMeshing& meshing) const
 {
     // Equilateral triangles over every face, and those that grow from the short sides of its border
-    // by 0.4 of the way: the integral of 2.31 / (h + 0.4 x)^2 over both sides of the edge.
+    // by 0.4 of the way (growth): the integral of 2.31 / (h + 0.4 x)^2 over both sides of the edge.
+    // From geometry: an equilateral triangle of side h has the area h^2 / 2.31.
     constexpr double per_square = 2.31, beside_edges = 2.0 * per_square / 0.4;
     double found = 0.0;
     for (const Patch& patch : patches_)
@@ -146,6 +152,7 @@ void MeshEstimate::check(const CadMeshing& meshing) const
     sharp.deflection = 1e12;
     const bool is_angle = !is_edge && triangles(sharp) > 0.5 * needed;
     double& size = is_edge ? wanted.edge : is_angle ? wanted.angle : wanted.deflection;
+    // Chosen: the size in the message needs a tenth of the limit, and is found to 10 %.
     constexpr double fit = 0.1 * most_triangles, step = 1.1;
     const double largest = is_angle ? 1.5 : 1e12;
     while (triangles(wanted) > fit && size < largest)

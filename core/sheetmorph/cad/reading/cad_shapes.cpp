@@ -46,14 +46,14 @@ std::string trimmed(const std::string& text)
     return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-// The assembly a product stands in.
+// The assembly that contains a product.
 struct Owner
 {
     std::string name;
     TopLoc_Location placement;
 };
 
-// Goes down an assembly; every product that is none comes out placed.
+// Traverses an assembly and collects every product that is not an assembly, with its placement.
 void collect(const TDF_Label& label, const Owner& owner, BodyList& list,
              const BodyList::BodyName& body_name)
 {
@@ -88,7 +88,7 @@ void collect_all(CadSource& source, const BodyList::BodyName& body_name)
     source.bodies = list.bodies();
 }
 
-// The bodies of a source, those healed that can be. A name is asked for by what a body was.
+// The bodies of a source, repaired where possible, with the names of the original bodies.
 Healing collect_healed(CadSource& source, const BodyList::BodyName& body_name)
 {
     collect_all(source, body_name);
@@ -104,14 +104,14 @@ Healing collect_healed(CadSource& source, const BodyList::BodyName& body_name)
     return healing;
 }
 
-// Needs a reader to exist: only that makes the parameter known.
+// Requires an existing reader, because only a reader makes the parameter known.
 template <typename Reader>
 void use_millimetres(const Reader&)
 {
     Interface_Static::SetCVal("xstep.cascade.unit", "MM");
 }
 
-// The one unit of length of a file, by the name that OpenCASCADE's writers know.
+// The common unit of length of a file, by the name that OpenCASCADE's writers use.
 std::string unit_of(STEPControl_Reader& reader)
 {
     static const std::map<std::string, std::string> known = {
@@ -142,8 +142,8 @@ std::string content_of(const std::string& path)
     return text.str();
 }
 
-// Whether the last line of an IGES file is there, with a T in column 73: OpenCASCADE reads files
-// that are cut off, too, as far as they go.
+// Whether the last line of an IGES file exists, with a T in column 73. OpenCASCADE reads truncated
+// files as far as they go.
 bool has_iges_end(const std::string& text)
 {
     const std::size_t last = text.find_last_not_of(" \t\r\n\x1A" + std::string(1, '\0'));
@@ -151,6 +151,7 @@ bool has_iges_end(const std::string& text)
         return false;
     const std::size_t before = text.find_last_of("\r\n", last);
     const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+    // From the IGES standard: the letter of the section is in column 73.
     constexpr std::size_t column = 72;
     return last >= begin + column && text[begin + column] == 'T';
 }
@@ -173,8 +174,8 @@ void read_step(STEPCAFControl_Reader& reader, const std::string& path)
         throw InvalidInput("it is no STEP file, or a damaged one", "export it again");
 }
 
-// The entities of a STEP file that lost values when it was read; those that lost a text alone have
-// their shape. Throws where the text itself could not be understood.
+// The entities of a STEP file that lost values during reading. Entities that lost only a text keep
+// their shape. Throws if the text itself was not understood.
 std::vector<std::string> unread_entities(const Interface_InterfaceModel& model)
 {
     const Handle(Interface_Check) all = model.GlobalCheck(true);
@@ -254,7 +255,7 @@ std::shared_ptr<CadSource> source_of_step(const std::string& path)
     source->is_ap242 = names_ap242(path);
     transfer(reader, *source, "export it again as AP214 or AP242");
     const Handle(XSControl_TransferReader) transferred = reader.Reader().WS()->TransferReader();
-    // The names of solids stand beside them, not in the document.
+    // The names of solids are not in the document.
     const auto name_of_body = [&](const TopoDS_Shape& body) -> std::string
     {
         const TopoDS_Shape unplaced = body.Located(TopLoc_Location());
@@ -300,14 +301,14 @@ std::shared_ptr<CadSource> source_of_brep(const std::string& path, const std::st
 
 std::shared_ptr<CadSource> source_of_brep_text(const std::string& text, const std::string& name)
 {
-    // The reader looks for these words, and prints when it does not find them.
+    // The reader searches for these words, and prints a message if it does not find them.
     const std::string head = text.substr(0, 4096);
     TopoDS_Shape shape;
     std::istringstream stream(text);
     if (head.find("CASCADE Topology V") != std::string::npos)
         try
         {
-            // Else the reader looks forever for what a file that is cut off lacks.
+            // Otherwise the reader never ends on a truncated file.
             stream.exceptions(std::ios::failbit);
             BRepTools::Read(shape, stream, BRep_Builder());
         }

@@ -17,7 +17,7 @@ std::shared_ptr<CadSource> source_of_brep(const std::string& path, const std::st
 //! The same for the text of a BREP file.
 std::shared_ptr<CadSource> source_of_brep_text(const std::string& text, const std::string& name);
 
-//! The same by the ending of a path in UTF-8: .step .stp .iges .igs .brep .brp
+//! The same, by the ending of a path in UTF-8: .step .stp .iges .igs .brep .brp
 std::shared_ptr<CadSource> source_of_file(const std::string& path);
 
 }  // namespace sheetmorph::cad

@@ -32,7 +32,7 @@ TopoDS_Shape unplaced(const TopoDS_Shape& shape)
     return shape.Located(TopLoc_Location());
 }
 
-// "#rrggbb", empty if the file gives the shape none.
+// "#rrggbb"; empty if the file gives the shape no colour.
 std::string colour_of(const TopoDS_Shape& shape, const Handle(XCAFDoc_ColorTool) & colours)
 {
     Quantity_Color colour;

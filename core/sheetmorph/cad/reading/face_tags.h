@@ -11,20 +11,20 @@
 namespace sheetmorph::cad
 {
 
-//! The names that a STEP file gives to faces, by the face without its placement.
+//! The names of faces in a STEP file, by the face without its placement.
 using FaceNames = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeMapHasher>;
 
 FaceNames face_names_of(const Handle(XSControl_TransferReader) & transfer);
 
-//! How many faces of a STEP or IGES file came to no shape.
+//! Number of faces of a STEP or IGES file that did not become a shape.
 int count_lost_faces(const Handle(XSControl_TransferReader) & transfer);
 
-//! The solids of a STEP file of whose faces some came to no shape: what the file calls each, else
-//! "#" and its number there.
+//! The solids of a STEP file with faces that did not become a shape: their names in the file, else
+//! "#" and the number.
 std::vector<std::string> solids_with_lost_faces(const Handle(XSControl_TransferReader) & transfer);
 
-//! Gives every body the names and colours of its faces; a face without a colour has its body's.
-//! Bodies of which the file says neither stay as they are.
+//! Sets the names and colours of the faces of every body. A face without a colour takes that of its
+//! body. Bodies for which the file has neither do not change.
 void tag_faces(std::vector<NamedShape>& bodies, const FaceNames& names,
                const Handle(XCAFDoc_ColorTool) & colours);
 

@@ -14,8 +14,8 @@ bool is_digit(char c)
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-// Whether the letter at a place is the exponent of a number: -1.5e-16, but not the name of
-// anything.
+// Whether the letter at a place is the exponent of a number, as in -1.5e-16, and not part of a
+// name.
 bool is_exponent(const std::string& text, std::size_t place)
 {
     std::size_t begin = place;
@@ -41,7 +41,7 @@ std::optional<std::string> standard_step_text(const std::string& text)
 {
     std::string made;
     static const std::string mark = "\xEF\xBB\xBF";
-    std::size_t copied = text.rfind(mark, 0) == 0 ? mark.size() : 0;  // `made` has the text to here
+    std::size_t copied = text.rfind(mark, 0) == 0 ? mark.size() : 0;  // `made` has the text so far
     const auto copy_to = [&](std::size_t place)
     {
         made.append(text, copied, place - copied);

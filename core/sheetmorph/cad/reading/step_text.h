@@ -7,10 +7,9 @@
 namespace sheetmorph::cad
 {
 
-//! The text of a STEP file as ISO 10303-21 has it, where writers differ and OpenCASCADE loses what
-//! they mean: exponents are in capitals, strings are not broken over lines,
-//! and there is no byte order mark.
-//! \returns nothing if the text is so already
+//! The text of a STEP file in the form of ISO 10303-21, where writers differ and OpenCASCADE loses
+//! data: exponents in capitals, strings not broken over lines, no byte order mark.
+//! \returns nothing if the text has this form already
 std::optional<std::string> standard_step_text(const std::string& text);
 
 }  // namespace sheetmorph::cad

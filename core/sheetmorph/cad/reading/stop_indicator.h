@@ -8,7 +8,7 @@
 namespace sheetmorph::cad
 {
 
-//! Cancels an OpenCASCADE call that takes a progress range. Its result is then incomplete: call
+//! Cancels an OpenCASCADE call that takes a progress range. Its result is then incomplete. Call
 //! look_for_stop() afterwards, which throws.
 class StopIndicator : public Message_ProgressIndicator
 {
@@ -22,7 +22,7 @@ protected:
         }
         catch (...)
         {
-            return Standard_True;  // the signal keeps what was thrown
+            return Standard_True;  // the signal keeps the exception
         }
     }
     void Show(const Message_ProgressScope&, const Standard_Boolean) override {}

@@ -13,7 +13,7 @@ namespace sheetmorph::cad
 namespace
 {
 
-// Gauss's places and weights, fifth order (Abramowitz and Stegun, table 25.4).
+// Places and weights of the Gauss rule with five places, from Abramowitz and Stegun, table 25.4.
 constexpr std::array<double, 5> places = {0.0, -0.5384693101056831, 0.5384693101056831,
                                           -0.9061798459386640, 0.9061798459386640};
 constexpr std::array<double, 5> weights = {0.5688888888888889, 0.4786286704993665,
@@ -25,6 +25,8 @@ constexpr std::array<double, 5> weights = {0.5688888888888889, 0.478628670499366
 ArcLength::ArcLength(const Handle(Geom_Curve) & curve, double low, double high)
     : curve_(curve), ends_{low}, lengths_{0.0}
 {
+    // Pieces of a span. Chosen: five places of Gauss integrate polynomials of degree 9, so eight
+    // pieces leave 8^-10 of the error of one.
     constexpr int cuts = 8;
     std::vector<double> breaks;
     for (const CubicBasis::Break& one : curve_breaks(curve, low, high))

@@ -7,7 +7,7 @@
 namespace sheetmorph::cad
 {
 
-//! How long a curve is from where it begins, mm, by its own parameter.
+//! Arc length of a curve from its start, mm, as a function of its parameter.
 class ArcLength
 {
 public:
@@ -20,7 +20,7 @@ private:
     double between(double low, double high) const;
 
     Handle(Geom_Curve) curve_;
-    std::vector<double> ends_, lengths_;  // of pieces: parameters, and how far that is
+    std::vector<double> ends_, lengths_;  // of pieces: parameters and arc lengths
 };
 
 }  // namespace sheetmorph::cad

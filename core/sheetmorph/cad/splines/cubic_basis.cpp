@@ -10,11 +10,11 @@ namespace sheetmorph::cad
 namespace
 {
 
-constexpr int degree = 3;
+constexpr int degree = 3;  // chosen: the lowest degree with continuous curvature
 
 using Table = std::array<std::array<double, 4>, 4>;
 
-// Piegl and Tiller, The NURBS Book, algorithm A2.2, with the differences of knots kept below the
+// Piegl and Tiller, The NURBS Book, algorithm A2.2, with the differences of knots stored below the
 // diagonal.
 Table table_of(const std::vector<double>& knots, std::size_t span, double t)
 {

@@ -14,14 +14,15 @@ namespace sheetmorph::cad
 class CubicBasis
 {
 public:
-    //! Where two spans meet; times: 1 for two continuous derivatives, 2 for one, 3 for a kink.
+    //! A place where two spans meet. Its multiplicity is 1 for two continuous derivatives, 2 for
+    //! one, 3 for a kink.
     struct Break
     {
         double at = 0.0;
         int times = 1;
     };
 
-    //! The splines that differ from 0 at a parameter: `first` and the three after it.
+    //! The splines that are not 0 at a parameter: `first` and the three after it.
     struct Row
     {
         int first = 0;
@@ -40,20 +41,21 @@ public:
     const std::vector<double>& ends() const { return ends_; }
     int span_count() const { return static_cast<int>(ends_.size()) - 1; }
 
-    //! The span of a parameter; the first or the last for one outside.
+    //! The span of a parameter; outside the range, the first or the last.
     int span_of(double t) const;
 
-    //! Values, first or second derivatives at a parameter; outside, the polynomials of the ends.
+    //! Values, first or second derivatives at a parameter; outside the range, of the polynomials at
+    //! its ends.
     Row row(double t, int derivative = 0) const;
 
-    //! Where a spline of this basis is interpolated: the averages of three knots.
+    //! Places at which a spline of this basis is interpolated: averages of three knots (Greville).
     std::vector<double> greville() const;
 
     //! The coefficients (count, k) of the splines through values (count, k) at ascending places, as
-    //! many as splines.
+    //! many as there are splines.
     Eigen::MatrixXd through(const std::vector<double>& places, const Eigen::MatrixXd& values) const;
 
-    //! The same with some of its spans cut in half.
+    //! The basis with some of its spans halved.
     CubicBasis halved(const std::vector<bool>& spans) const;
 
 private:

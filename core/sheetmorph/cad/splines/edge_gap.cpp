@@ -16,10 +16,11 @@ namespace sheetmorph::cad
 namespace
 {
 
-// Pieces between the places at which the reader measures.
+// Pieces between the places at which the reader measures. From OpenCASCADE, which measures the gap
+// of an edge at 23 evenly spaced places.
 constexpr int reader_pieces = 22;
 
-// The reader adds this share to what it measures.
+// Share that the reader adds to what it measures; from OpenCASCADE, as reader_pieces.
 constexpr double reader_slack = 0.5e-5;
 
 // Width of a wave over the length of a piece, from the widest to the narrowest.
@@ -40,7 +41,7 @@ double bump(double x)
     return a < 1.0 ? 1.0 - 1.5 * a * a + 0.75 * a * a * a : 0.25 * std::pow(2.0 - a, 3.0);
 }
 
-// The basis of a curve with more knots.
+// The basis of a curve with further knots.
 CubicBasis refined(const Handle(Geom2d_BSplineCurve) & curve, double centre, double width)
 {
     std::vector<CubicBasis::Break> breaks;
@@ -63,11 +64,11 @@ CubicBasis refined(const Handle(Geom2d_BSplineCurve) & curve, double centre, dou
 
 }  // namespace
 
-//! b(x) + slope (b(x - 1) - b(x + 1)), x from its centre in widths.
+//! b(x) + slope (b(x - 1) - b(x + 1)), with x from the centre in widths.
 struct EdgeGap::Wave
 {
     double centre, width;
-    Vector2 way;  // in parameters, of height 1
+    Vector2 way;  // in parameters, for height 1
     double height = 0.0, slope = 0.0;
 
     Vector2 at(double t) const
@@ -91,6 +92,8 @@ Vector3 EdgeGap::at(const Handle(Geom2d_Curve) & beneath, double t) const
 
 double EdgeGap::largest(const Handle(Geom2d_Curve) & beneath) const
 {
+    // Chosen: 30 places between two of the reader's; a gap on a cubic span has at most three
+    // extrema.
     constexpr int samples = 30 * reader_pieces, samples_a_span = 8;
     double found = 0.0;
     const auto look = [&](double low, double high, int count)
@@ -99,15 +102,15 @@ double EdgeGap::largest(const Handle(Geom2d_Curve) & beneath) const
             found = std::max(found, at(beneath, low + i * (high - low) / count).norm());
     };
     look(low_, high_, samples);
-    // The curve has short spans where the gap changes fast.
+    // The curve has short spans where the gap changes quickly.
     if (const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(beneath); !spline.IsNull())
         for (int k = 1; k < spline->NbKnots(); ++k)
             look(spline->Knot(k), spline->Knot(k + 1), samples_a_span);
     return found;
 }
 
-// 1 mm along the surface at right angles to the edge, in parameters; to the side on which there is
-// more of the surface.
+// 1 mm along the surface at right angles to the edge, in parameters, towards the side with more
+// surface.
 Vector2 EdgeGap::across(const Vector2& uv, double t) const
 {
     gp_Pnt here;
@@ -142,11 +145,13 @@ Handle(Geom2d_BSplineCurve) EdgeGap::added(const Handle(Geom2d_BSplineCurve) & b
     return flat_spline(basis, basis.through(places, values));
 }
 
-// Newton for the height and the slope: the gap has the wanted length at the centre, and is largest
-// there.
+// Newton's method for height and slope: at the centre, the gap has the prescribed length and is
+// largest.
 Handle(Geom2d_BSplineCurve) EdgeGap::fitted(const Handle(Geom2d_BSplineCurve) & beneath, Wave wave,
                                             double largest) const
 {
+    // Newton's method doubles the digits per round. Chosen: after 12 it does not converge at all.
+    // The steps of its differences are a thousandth of the wave: their error is the square, 1e-6.
     constexpr int most_rounds = 12;
     const double step = 1e-3 * wave.width;
     const auto miss = [&](const Wave& one) -> Vector2
@@ -185,7 +190,7 @@ Handle(Geom2d_BSplineCurve) EdgeGap::with_wave(const Handle(Geom2d_BSplineCurve)
                                                double largest) const
 {
     const double piece = (high_ - low_) / reader_pieces;
-    std::vector<std::pair<double, double>> places;  // the largest gap first
+    std::vector<std::pair<double, double>> places;  // largest gap first
     for (int i = 1; i < reader_pieces; ++i)
         places.emplace_back(-at(beneath, low_ + i * piece).norm(), low_ + i * piece);
     std::sort(places.begin(), places.end());

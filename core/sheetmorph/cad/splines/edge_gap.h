@@ -17,19 +17,19 @@ public:
     EdgeGap(const Handle(Geom_Curve) & curve, const Handle(Geom_Surface) & surface, double low,
             double high);
 
-    //! From the edge to the surface at the same parameter, mm.
+    //! Vector from the edge to the surface at the same parameter, mm.
     Vector3 at(const Handle(Geom2d_Curve) & beneath, double t) const;
 
     //! The length of the largest gap, mm.
     double largest(const Handle(Geom2d_Curve) & beneath) const;
 
     //! A STEP file stores no tolerances. OpenCASCADE's reader measures the gap at 23 evenly spaced
-    //! places and takes the largest one as the tolerance of the edge. Where the gap is larger in
-    //! between, its Boolean check reports the edge. A small wave across the edge makes the gap
+    //! places and takes the largest one as the tolerance of the edge. If the gap is larger between
+    //! these places, its Boolean check reports the edge. A small wave across the edge makes the gap
     //! largest at one of these places.
-    //! \param beneath  the edge in the parameters of the surface, of third degree
-    //! \param largest  length of the largest gap after that, mm; larger than before
-    //! \returns        `beneath` itself if there is no such wave
+    //! \param beneath  the edge in the parameters of the surface, a cubic spline
+    //! \param largest  largest gap with the wave, mm; larger than before
+    //! \returns        `beneath` itself if no such wave exists
     Handle(Geom2d_BSplineCurve)
         with_wave(const Handle(Geom2d_BSplineCurve) & beneath, double largest) const;
 

@@ -14,29 +14,29 @@ namespace sheetmorph::cad
 
 class PlateSystem;
 
-//! A place that a carried surface goes through.
+//! A place that a carried surface must meet.
 struct SurfacePlace
 {
     Vector2 uv = Vector2::Zero();
     Vector3 target = Vector3::Zero();  //!< mm
     double weight = 1.0;
     double tolerance = 0.0;  //!< mm
-    double spacing = 0.0;    //!< to the next place, mm; spans are not much shorter
+    double spacing = 0.0;    //!< distance to the next place, mm; spans are not much shorter
 };
 
-//! A curve that a carried surface goes through.
+//! A curve that a carried surface must meet.
 struct SurfaceTrack
 {
     std::function<Vector2(double)> uv;
     std::function<Vector3(double)> target;  //!< mm
-    //! Its normal there, of length 1, or 0 where none is wanted; empty if none is anywhere.
+    //! Its unit normal; 0 at places without one; empty if there is none at all.
     std::function<Vector3(double)> normal;
-    std::vector<double> parameters;  //!< ascending; both ends, and enough to know its form
+    std::vector<double> parameters;  //!< ascending, with both ends; dense enough for its shape
     double tolerance = 0.0;          //!< mm
-    bool is_point = false;           //!< in space
+    bool is_point = false;           //!< the curve is a point in space
 };
 
-//! A place where a carried surface has a given normal, of length 1.
+//! A place where a carried surface has a prescribed unit normal.
 struct SurfaceNormal
 {
     Vector2 uv = Vector2::Zero();
@@ -45,48 +45,48 @@ struct SurfaceNormal
     double spacing = 0.0;
 };
 
-//! All that a carried surface is made of.
+//! All conditions on a carried surface.
 struct SplineTargets
 {
     std::vector<SurfacePlace> places;
     std::vector<SurfaceTrack> tracks;
 };
 
-//! A knot of a curve along which one parameter of a surface changes alone.
+//! A knot of a curve along which only one parameter of a surface changes.
 struct CurveKnot
 {
     double at = 0.0;
-    double spacing = 0.0;  //!< to the nearer of its neighbours
+    double spacing = 0.0;  //!< distance to the nearer of its neighbours
 };
 
-//! The part of a surface that a face lies on.
+//! The part of a surface on which a face lies.
 struct SurfacePatch
 {
     Handle(Geom_Surface) surface;
     Vector2 low = Vector2::Zero(), high = Vector2::Zero();
     //! Which of the four borders are one point: u low, u high, v low, v high.
     std::array<bool, 4> is_pole = {};
-    //! Whether both borders in u, in v, are one curve, with a seam of the face on it.
+    //! Whether both borders in u, or in v, are one curve, on which the face has a seam.
     std::array<bool, 2> is_closed = {};
-    //! Of curves that it shall meet, by the parameter that changes along them: with the same knots
-    //! it can meet them exactly.
+    //! Knots of curves to meet, by the parameter that changes along them. With the same knots, the
+    //! surface can meet them exactly.
     std::array<std::vector<CurveKnot>, 2> knots;
 };
 
-//! A cubic spline surface: a surface and a displacement of it, over the same parameters.
+//! A cubic spline surface: the sum of a surface and its displacement, over the same parameters.
 class FaceSpline
 {
 public:
-    //! The surface alone.
+    //! The surface without a displacement.
     explicit FaceSpline(const SurfacePatch& patch);
 
-    //! Brings it as near to places and curves as their tolerances say, by least squares with a thin
-    //! plate's energy where nothing is known, and cuts spans where that fails.
-    //! \param tolerance  of what is interpolated of the surface itself, mm
+    //! Fits places and curves to their tolerances by least squares. The energy of a thin plate
+    //! determines the rest. Halves spans where the fit fails.
+    //! \param tolerance  for the interpolation of the surface itself, mm
     //! \throws Cancelled
     void fit(const SplineTargets& targets, double tolerance, const Progress& progress);
 
-    //! Makes all coordinates multiples of a length: they are shorter in a file.
+    //! Rounds all coordinates to multiples of a length, which shortens files.
     void round_to(double grain);
 
     Vector3 point(const Vector2& uv) const;
@@ -110,7 +110,7 @@ private:
     SurfacePatch patch_;
     CubicBasis u_, v_;
     Vector2 scale_;                 // mm per parameter
-    Eigen::MatrixXd base_, poles_;  // (u count * v count, 3), v fastest: of the surface, of both
+    Eigen::MatrixXd base_, poles_;  // (u count * v count, 3), v fastest: surface; sum
 };
 
 }  // namespace sheetmorph::cad

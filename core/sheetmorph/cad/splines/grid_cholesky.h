@@ -9,31 +9,33 @@
 namespace sheetmorph::cad
 {
 
-//! A symmetric matrix over the places of a grid, each with those up to 3 beside it each way.
+//! A symmetric matrix over the places of a grid. Each place is coupled with those up to 3 away in
+//! each direction.
 struct GridMatrix
 {
+    //! From cubic splines: each overlaps the three before and after it.
     static constexpr int reach = 3, across = 2 * reach + 1;
 
-    int rows = 0, columns = 0;     //!< a place's number is row * columns + column
-    std::vector<double> products;  //!< across * across a place, by the other's row, then column
-    //! Others, lower triangle: among the first and last `border` rows (0) or columns (1).
+    int rows = 0, columns = 0;     //!< the number of a place is row * columns + column
+    std::vector<double> products;  //!< across * across per place, by the other's row, then column
+    //! Couplings among the first and last `border` rows (0) or columns (1); lower triangle.
     std::vector<Eigen::Triplet<double>> ties;
     std::array<bool, 2> is_tied = {};
-    static constexpr int border = 4;
+    static constexpr int border = 4;  //!< from cubic splines: those at an end
 
     Eigen::MatrixXd times(const Eigen::MatrixXd& values) const;
     double largest() const;  //!< on the diagonal
 };
 
-//! Cholesky's factors of such a matrix, by nested dissection: the grid is halved by strips that
-//! come after what lies beside them, and all is done to dense blocks.
+//! Cholesky factors of such a matrix by nested dissection. Strips halve the grid and come after the
+//! parts on both sides. All work is on dense blocks.
 class GridCholesky
 {
 public:
     //! \param shift  added to the diagonal
     GridCholesky(const GridMatrix& matrix, double shift);
 
-    //! Whether the matrix is positive definite; there is no solution else.
+    //! Whether the matrix is positive definite. Otherwise there is no solution.
     bool is_definite() const { return is_definite_; }
 
     //! \param right  (places, k)
@@ -45,7 +47,7 @@ private:
         int row, column, rows, columns;
     };
 
-    //! Places that are eliminated together, then those of later blocks beside them.
+    //! Places that are eliminated together, then the adjacent places of later blocks.
     struct Block
     {
         std::vector<int> places;
@@ -53,7 +55,7 @@ private:
         Eigen::MatrixXd factor;  //!< (places, own)
     };
 
-    //! What eliminating a block changes among the places beside it, lower triangle.
+    //! Changes among the adjacent places when a block is eliminated, lower triangle.
     struct Change
     {
         std::vector<int> places;
@@ -72,7 +74,7 @@ private:
     double shift_;
     bool is_definite_ = true;
     std::vector<Block> blocks_;  // in the order of elimination
-    std::vector<int> local_;     // of a place in the block at hand; -1 if it is not there
+    std::vector<int> local_;     // of a place in the current block; -1 if it is not in it
 };
 
 }  // namespace sheetmorph::cad

@@ -13,26 +13,26 @@
 namespace sheetmorph::cad
 {
 
-//! A curve in the parameters of a face between two of its own, as a spline with the same ones: a
-//! STEP file does not say where an edge ends on a line, and makes circles splines of others.
-//! Readers then look for the edge on the face, which takes long on large splines.
+//! A curve in the parameters of a face between two of its own parameters, as a spline with the same
+//! ones. A STEP file does not store where an edge ends on a line, and stores other circles as
+//! splines. Readers then search for the edge on the face, which takes long on large splines.
 Handle(Geom2d_Curve)
     spline_in_parameters(const Handle(Geom2d_Curve) & curve, double low, double high);
 
 //! The curve in the parameters of a surface that lies beneath a curve in space, at the same
-//! parameters of its own: the one of the file, unless that is farther along the surface from the
-//! points beneath than a tolerance, mm. A surface that follows both would be folded between them.
+//! parameters. Returns the curve of the file unless it deviates along the surface by more than a
+//! tolerance, mm. A surface that follows both curves would fold between them.
 Handle(Geom2d_Curve)
     curve_beneath(const Handle(Geom_Curve) & curve, const Handle(Geom_Surface) & surface,
                   const Handle(Geom2d_Curve) & of_file, double low, double high, double tolerance);
 
 //! The border of a surface along which a curve in its parameters runs evenly from one end of a
-//! range to the other, as a curve in space with that range; nothing if it does not run so.
+//! range to the other, as a curve in space with that range; null if there is none.
 Handle(Geom_BSplineCurve)
     border_above(const Handle(Geom2d_Curve) & curve, const Handle(Geom_BSplineSurface) & surface,
                  double low, double high);
 
-//! A spline of third degree in two parameters.
+//! A cubic spline in two parameters.
 //! \param poles  (count, 2)
 Handle(Geom2d_BSplineCurve) flat_spline(const CubicBasis& basis, const Eigen::MatrixXd& poles);
 

@@ -13,18 +13,19 @@ class PlateSystem
 public:
     PlateSystem(int u_count, int v_count);
 
-    //! Asks for a value (3) of the sum of poles with these weights; `weight` is squared already.
+    //! Adds an equation: the sum of poles with these weights has a value (3). `weight` is squared
+    //! already.
     void add(const CubicBasis::Row& u, const CubicBasis::Row& v, const Vector3& value,
              double weight);
 
-    //! Asks that such a sum is the same at both ends of u (direction 0) or v (1).
+    //! Adds an equation: such a sum is equal at both ends of u (direction 0) or v (1).
     void tie(const std::array<CubicBasis::Row, 2>& low, const std::array<CubicBasis::Row, 2>& high,
              int direction, double weight);
 
-    //! One row a spline of a basis: its products with those up to 3 before and after it.
+    //! One row per spline of a basis: its products with those up to 3 before and after it.
     using Band = std::vector<std::array<double, GridMatrix::across>>;
 
-    //! Asks for what a quadratic form of u times one of v makes small.
+    //! Adds the product of a quadratic form of u and one of v to the energy.
     void add_energy(const Band& u, const Band& v, double weight);
 
     //! The poles (u count * v count, 3), v fastest.

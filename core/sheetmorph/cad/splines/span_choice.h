@@ -6,7 +6,7 @@
 namespace sheetmorph::cad
 {
 
-//! Which spans of a FaceSpline are too long for what it shall go through.
+//! Selects spans of a FaceSpline that are too long for its conditions.
 class SpanChoice
 {
 public:
@@ -15,7 +15,7 @@ public:
 
     bool is_any() const { return is_any_; }
 
-    //! Whether all places and normals are as they shall be.
+    //! Whether all places and normals are met.
     bool is_met() const { return is_met_; }
     const std::vector<bool>& in_u() const { return chosen_[0]; }
     const std::vector<bool>& in_v() const { return chosen_[1]; }

@@ -110,6 +110,7 @@ SplineCurve curve_through(const std::vector<double>& parameters, const Points& p
 
 SplineCurve curve_near(const PointAt& curve, const CubicBasis& start, double tolerance)
 {
+    // Chosen: nine halvings give 512 spans from one. An edge of a file has fewer than 400.
     constexpr int most_rounds = 9, most_spans = 400;
     SplineCurve found = through_places_of(start, curve);
     for (int round = 0; round < most_rounds && found.basis.span_count() < most_spans; ++round)

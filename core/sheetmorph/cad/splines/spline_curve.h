@@ -23,14 +23,14 @@ struct SplineCurve
     Handle(Geom_BSplineCurve) curve() const;
 };
 
-//! The spline through points at ascending parameters, without a kink of any derivative but at the
-//! second and the last but one (not-a-knot); a parabola through three, a line through two.
-//! \param is_closed  whether it goes on smoothly from its last point to the first
+//! The spline through points at ascending parameters, with continuous third derivatives at the
+//! second and the last but one (not-a-knot). A parabola through three points, a line through two.
+//! \param is_closed  whether it continues smoothly from its last point to the first
 SplineCurve curve_through(const std::vector<double>& parameters, const Points& points,
                           bool is_closed);
 
-//! A spline with the breaks of `start`, and more where needed, within `tolerance` (mm) of a curve;
-//! it has the ends of the curve.
+//! A spline with the breaks of `start`, and further ones as needed, within `tolerance` (mm) of a
+//! curve. It has the ends of the curve.
 SplineCurve curve_near(const PointAt& curve, const CubicBasis& start, double tolerance);
 
 }  // namespace sheetmorph::cad

@@ -15,14 +15,17 @@ namespace sheetmorph::cad
 namespace
 {
 
-// First and second derivatives, one a row: at some places, by one parameter.
+// First and second derivatives at some places with respect to one parameter, one row per place.
 using Slopes = std::array<Points, 2>;
 using SlopesAt = std::function<Slopes(double)>;
 
-// How often a place is a knot: files have knots of all orders where a CAD system made a surface
-// longer or joined two that go on smoothly, and what is not needed is free to swing.
+// Multiplicity of a knot. Where a CAD system extended a surface or joined two smoothly, files have
+// knots of higher multiplicity than needed, and a surface with needless freedom swings.
 int times_at(const SlopesAt& slopes, double at, double range)
 {
+    // Distance from the knot, relative to the range, and jumps of slope and curvature, relative to
+    // the speed. From rounding: knots have ten digits or more, and slopes near them are exact to
+    // 1e-9. Chosen: a kink of 1e-5 radians and a bend of 1e-3 do not show.
     constexpr double beside = 1e-9, kink = 1e-5, bend = 1e-3;
     const Slopes before = slopes(at - beside * range), after = slopes(at + beside * range);
     const auto largest = [](const Points& rows) { return rows.rowwise().norm().maxCoeff(); };
@@ -32,7 +35,8 @@ int times_at(const SlopesAt& slopes, double at, double range)
     return largest(after[1] - before[1]) * range > bend * speed ? 2 : 0;
 }
 
-// What has one continuous derivative only between places, and two only between more of them.
+// The places inside the range that need a knot: with a kink, or without a continuous second
+// derivative.
 std::vector<CubicBasis::Break> real_breaks(std::vector<double> places, const SlopesAt& slopes,
                                            double low, double high)
 {
@@ -70,7 +74,7 @@ std::vector<CubicBasis::Break> surface_breaks(const SurfacePatch& patch, int dir
         surface.VIntervals(ends, GeomAbs_C2);
     const auto slopes = [&](double at)
     {
-        constexpr int samples = 8;
+        constexpr int samples = 8;  // chosen: a knot of a whole row shows at nine places
         const int other = 1 - direction;
         Slopes found = {Points(samples + 1, 3), Points(samples + 1, 3)};
         for (int i = 0; i <= samples; ++i)

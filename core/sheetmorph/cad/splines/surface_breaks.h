@@ -8,7 +8,7 @@
 namespace sheetmorph::cad
 {
 
-//! Where a surface has no second derivative in u (direction 0) or v (1), inside a patch.
+//! Places inside a patch where a surface has no second derivative in u (direction 0) or v (1).
 std::vector<CubicBasis::Break> surface_breaks(const SurfacePatch& patch, int direction);
 
 //! The same along a curve, between two parameters.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/writing/body_measurer.h"
+
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/cad/meshing/occt_surface.h"
 
@@ -21,11 +23,10 @@ namespace sheetmorph::cad
 namespace
 {
 
-constexpr double degrees = 57.29577951308232;
-// The same as where tangents are made to agree.
-constexpr double smooth = 0.8;
+constexpr double degrees = 1.0 / degree;  // from geometry
+constexpr double smooth = 0.8;            // degrees; from ShapeCarrier::is_smooth_at()
 
-// The outward normal of a face where an edge is at a parameter; none at a pole.
+// The outward normal of a face at a parameter of an edge; nothing at a pole.
 std::optional<Vector3> normal_at(const TopoDS_Edge& edge, const TopoDS_Face& face, double share)
 {
     double low = 0.0, high = 0.0;
@@ -40,7 +41,7 @@ std::optional<Vector3> normal_at(const TopoDS_Edge& edge, const TopoDS_Face& fac
     return normal.normalized() * (face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0);
 }
 
-// The largest angle between two faces along an edge, degrees; 180 where it is not known.
+// The largest angle between two faces along an edge, degrees; 180 if unknown.
 WorstAt kink_at(const TopoDS_Edge& edge, const TopoDS_Face& one, const TopoDS_Face& other)
 {
     WorstAt worst;
@@ -61,7 +62,7 @@ WorstAt kink_at(const TopoDS_Edge& edge, const TopoDS_Face& one, const TopoDS_Fa
 
 using Pair = std::pair<int, int>;
 
-// By two faces, counted from 0, the largest angle along the edges between them.
+// The largest angle along the edges between two faces, by the pair of faces, counted from 0.
 std::map<Pair, WorstAt> kinks_of(const TopoDS_Shape& body, const TopTools_IndexedMapOfShape& faces)
 {
     std::map<Pair, WorstAt> found;
@@ -101,7 +102,7 @@ double largest_tolerance(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind)
     return worst;
 }
 
-// Inside a closed mesh, mm^3.
+// Volume inside a closed mesh, mm^3.
 double volume_of(const Points& points, const Triangles& triangles)
 {
     const Vector3 middle = points.colwise().mean().transpose();
@@ -174,7 +175,7 @@ CadMeasures BodyMeasurer::measures(const Points& result, double tolerance) const
     return found;
 }
 
-// The vertices of the mesh where the faces that were read have them.
+// The vertices of the mesh, projected to the faces that were read.
 Points BodyMeasurer::measure_distances(CadMeasures& found, const Points& result,
                                        double tolerance) const
 {
@@ -191,7 +192,7 @@ Points BodyMeasurer::measure_distances(CadMeasures& found, const Points& result,
             const Vector3 wanted = result.row(known.vertices[i]).transpose();
             Vector3 there = surface.point(known.parameters[i]);
             double distance = (there - wanted).norm();
-            if (distance > 0.5 * tolerance)  // written with other parameters, perhaps
+            if (distance > 0.5 * tolerance)  // perhaps written with other parameters
             {
                 const gp_Pnt2d uv =
                     projection.ValueOfUV(gp_Pnt(wanted(0), wanted(1), wanted(2)), 1e-7);
@@ -233,7 +234,7 @@ void BodyMeasurer::measure_kinks(CadMeasures& found) const
 
 void BodyMeasurer::measure_cylinders(CadMeasures& found) const
 {
-    constexpr double exact = 1e-5;  // as the reader recognises them, mm
+    constexpr double exact = 1e-5;  // mm; from part_mesher.cpp, as the reader recognises them
     for (int f = 0; f < found.faces; ++f)
     {
         // IGES and other systems draw cylinders as splines and surfaces of revolution.

@@ -10,16 +10,16 @@
 namespace sheetmorph::cad
 {
 
-//! Compares a body that was read of a written file with what it shall be.
+//! Compares a body that was read from a written file with its intended form.
 class BodyMeasurer
 {
 public:
     //! \param mesh  of the shape as it was read
-    //! \param body  as it stands in the assembly of the file
+    //! \param body  as placed in the assembly of the file
     BodyMeasurer(const ShapeMesh& mesh, const CarriedShape& carried, const NamedShape& body);
 
     //! \param result     (n, 3) of the mesh, in the coordinates of the assembly, mm
-    //! \param tolerance  beyond which a face is far from it, mm
+    //! \param tolerance  faces that deviate by more are reported, mm
     CadMeasures measures(const Points& result, double tolerance) const;
 
 private:
@@ -31,7 +31,7 @@ private:
     TopoDS_Shape read_face(int face) const;
 
     const ShapeMesh& before_;
-    const ShapeMesh& mesh_;  // with washers as faces of their own
+    const ShapeMesh& mesh_;  // with washers as separate faces
     const CarriedShape& carried_;
     TopoDS_Shape body_;
     bool is_valid_;

@@ -20,7 +20,7 @@ namespace sheetmorph::cad
 namespace
 {
 
-// A part in the coordinates of its product.
+// Positions of a part in the coordinates of its product.
 Points in_product(const Points& points, const TopLoc_Location& place)
 {
     const gp_Trsf back = place.Transformation().Inverted();
@@ -61,7 +61,7 @@ void note_condition(CadMeasures& found, const NamedShape& before)
     found.was_valid = before.faults.empty();
 }
 
-// The bodies of a model in new forms, those of instances that agree only once.
+// The new forms of the bodies of a model; equal instances share one.
 class NewBodies
 {
 public:
@@ -71,7 +71,7 @@ public:
             form_of_.push_back(find_form(k, positions[k]));
     }
 
-    //! Carries all of them, the largest first.
+    //! Carries all forms, the largest first.
     void carry(const CarryTolerances& tolerances, const Progress& progress)
     {
         std::vector<Form*> order;
@@ -88,7 +88,7 @@ public:
         run_tasks(tasks, progress);
     }
 
-    // What a written file holds that was read again.
+    // Measures the written file after reading it again.
     std::vector<CadMeasures> measured(const std::vector<Points>& positions,
                                       const CadWriting& writing, const Progress& progress) const
     {
@@ -126,7 +126,7 @@ public:
 private:
     struct Form
     {
-        std::size_t part;  // the first that has it
+        std::size_t part;  // the first with this form
         bool is_moved;
         Points positions;
         CarriedShape carried;
@@ -170,13 +170,14 @@ private:
     }
 
     const CadModel& model_;
-    std::vector<std::size_t> form_of_;  // one a part
-    std::deque<Form> forms_;            // whose addresses stay
+    std::vector<std::size_t> form_of_;  // one per part
+    std::deque<Form> forms_;            // with stable addresses
 };
 
-// A decimal fraction of the unit that is nothing beside a tolerance, mm.
+// A decimal fraction of the unit that is negligible against a tolerance, mm.
 double decimal_grain(double tolerance, double unit)
 {
+    // Chosen: rounding to the grain moves a pole by half of it at most, 0.2 % of the tolerance.
     constexpr double share = 0.004;
     return unit * std::pow(10.0, std::floor(std::log10(share * tolerance / unit)));
 }
@@ -219,7 +220,7 @@ std::vector<CadMeasures> write_cad(const CadModel& model, const std::vector<Poin
                        NewBodies made(model, positions);
                        made.carry(tolerances, progress.part(0.0, 0.6));
                        progress.report(0.6, "writing");
-                       const std::vector<NewBody> bodies = made.bodies();  // which the copy keeps
+                       const std::vector<NewBody> bodies = made.bodies();  // the copy stores it
                        DocumentCopy copy(*model.source, bodies);
                        write_document(copy.document(), *model.source, writing);
                        progress.report(0.7, "reading it again");

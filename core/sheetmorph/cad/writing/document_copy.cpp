@@ -32,7 +32,7 @@ TDF_Label product_of(const TDF_Label& label)
     return product;
 }
 
-// The images of all that is in a placed body, placed like it.
+// Records the images of all parts of a placed body, with the same placement.
 void note_images(PartImages& images, const TopoDS_Shape& body, const CarriedShape& carried)
 {
     const TopLoc_Location place = body.Location();
@@ -45,7 +45,7 @@ void note_images(PartImages& images, const TopoDS_Shape& body, const CarriedShap
         images.washers.emplace_back(whole.Moved(place), washer.Moved(place));
 }
 
-// A shape with images in the place of bodies; faces that stand alone are left out.
+// The shape with images in place of bodies; without free faces.
 TopoDS_Shape rebuilt(const TopoDS_Shape& shape, const Images& images)
 {
     if (images.IsBound(shape))
@@ -63,7 +63,7 @@ TopoDS_Shape rebuilt(const TopoDS_Shape& shape, const Images& images)
     return made;
 }
 
-// A shape, if any, with sewn shells beside what it holds.
+// A shape, which may be null, together with sewn shells.
 TopoDS_Shape with_shells(const TopoDS_Shape& shape, const std::vector<TopoDS_Shape>& sewn)
 {
     const bool is_empty = shape.IsNull() || TopoDS_Iterator(shape).More() == false;
@@ -100,7 +100,7 @@ DocumentCopy::DocumentCopy(const CadSource& source, const std::vector<NewBody>& 
     document_.shapes()->UpdateAssemblies();
 }
 
-// A root that is a product placed somewhere is so again.
+// Copies a root that is a placed product as such.
 void DocumentCopy::copy_root(const TDF_Label& root)
 {
     const TDF_Label product = made(product_of(root));
@@ -125,7 +125,7 @@ int DocumentCopy::product_count(const TDF_Label& product) const
     return count;
 }
 
-// A product, and the variants of the bodies that are next.
+// A product, and the variants of its next bodies.
 DocumentCopy::Key DocumentCopy::key_of(const TDF_Label& product) const
 {
     Key key;
@@ -195,7 +195,7 @@ TDF_Label DocumentCopy::new_product(const TDF_Label& product)
     Images faces;
     std::vector<TopoDS_Shape> sewn;
     const auto [first, last] = ranges_[index];
-    // The bodies stand in the assembly; in the product they stand where its shape says.
+    // The bodies are placed in the assembly; in the product, its shape places them.
     const auto inside = [&](const TopoDS_Shape& part, std::size_t body)
     { return part.Moved(source_.bodies[body].placement.Inverted()); };
     for (std::size_t k = first; k < last; ++k)

@@ -13,12 +13,12 @@ namespace sheetmorph::cad
 //! A body of a document in its new form.
 struct NewBody
 {
-    int variant = 0;  //!< the same for bodies that are the same in the new document
+    int variant = 0;  //!< equal for bodies that are equal in the new document
     const CarriedShape* carried =
         nullptr;  //!< in the coordinates of the body without its placement
 };
 
-//! The document of a source with other bodies: one product for each that was one, or more where its
+//! The document of a source with new bodies: one product for each old one, or several if its
 //! instances differ.
 class DocumentCopy
 {

@@ -66,7 +66,7 @@ private:
     std::size_t at_ = 0;
 };
 
-// The numbers of a mesh, in the order of the shape's faces and edges.
+// Reads the numbers of a mesh, in the order of the shape's faces and edges.
 void read_mesh(ShapeMesh& known, Reader& reader)
 {
     const auto points = reader.numbers<double>();
@@ -88,7 +88,7 @@ void read_mesh(ShapeMesh& known, Reader& reader)
         known.on_edge.push_back({reader.numbers<int>(), reader.numbers<double>()});
 }
 
-// Whether the places that the parameters tell are those of the vertices.
+// Checks that the positions at the parameters are those of the vertices.
 void check(const ShapeMesh& known)
 {
     const double size = (known.rest.colwise().maxCoeff() - known.rest.colwise().minCoeff()).norm();

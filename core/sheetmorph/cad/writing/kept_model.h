@@ -6,12 +6,12 @@
 namespace sheetmorph::cad
 {
 
-//! The mesh of a part and what is known of it, for kept_model: bytes of this machine's numbers.
+//! The mesh of a part and its data for kept_model(), in the number format of this machine.
 std::string kept_mesh(const CadPart& part);
 
-//! A model of one part that was kept, without meshing it again: its shape as brep_of() tells it and
-//! its mesh as kept_mesh() does. It can be written as CAD; it knows no surfaces.
-//! \throws InvalidInput if both do not belong together
+//! A stored model of one part, without meshing it again: its shape from brep_of() and its mesh from
+//! kept_mesh(). It can be written as CAD, but has no surfaces.
+//! \throws InvalidInput if the two do not match
 CadModel kept_model(const std::string& brep, const std::string& mesh, const std::string& name);
 
 }  // namespace sheetmorph::cad

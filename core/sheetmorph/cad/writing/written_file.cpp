@@ -24,8 +24,8 @@ namespace sheetmorph::cad
 namespace
 {
 
-// A parameter of OpenCASCADE's writers with another value while it lives: they are one for the
-// whole process.
+// Sets a parameter of OpenCASCADE's writers during its lifetime. Parameters are global to the
+// process.
 class Setting
 {
 public:
@@ -48,8 +48,8 @@ private:
     std::string before_;
 };
 
-// As many digits as radii need to be exact in inches, too: a relative 5e-13. OpenCASCADE keeps 15
-// characters of a number.
+// Enough digits for exact radii in inches: 5e-13, relative. OpenCASCADE writes up to 15 characters
+// per number.
 Handle(StepSelect_FloatFormat) digits()
 {
     Handle(StepSelect_FloatFormat) found = new StepSelect_FloatFormat;
@@ -66,7 +66,7 @@ bool write_step(const CadDocument& document, const CadSource& source, const std:
     const Setting unit("write.step.unit", source.unit.c_str());
     const Setting schema("write.step.schema", source.is_ap242 ? "AP242DIS" : "AP214IS");
     const Setting names("write.stepcaf.subshapes.name", "1");
-    // Readers make curves of edges on faces anew that are further off than the file says; that
+    // Readers recompute curves of edges on faces that deviate by more than the file states. That
     // takes minutes on large splines.
     const Setting mode("write.precision.mode", "User");
     const Setting precision("write.precision.val", std::to_string(exactness).c_str());
@@ -77,7 +77,7 @@ bool write_step(const CadDocument& document, const CadSource& source, const std:
     writer.SetMaterialMode(true);
     writer.SetPropsMode(false);
     writer.ChangeWriter().WS()->ShareOut()->AddModifier(digits(), 0);
-    // Since 7.8 the setting names the unit in the file, and the lengths are converted to this one.
+    // Since 7.8, the setting gives the unit in the file, and lengths are converted to this one.
     writer.ChangeWriter().Model()->SetWriteLengthUnit(millimetres_in(source.unit));
     return writer.Transfer(document.handle(), STEPControl_AsIs)
            && writer.Write(path.c_str()) == IFSelect_RetDone;

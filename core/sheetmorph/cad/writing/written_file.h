@@ -7,16 +7,16 @@
 namespace sheetmorph::cad
 {
 
-//! Writes a document; a STEP file says that it is exact to the edge tolerance.
-//! \param source  which has the unit and schema that the file shall have, too
-//! \throws InvalidInput if it cannot be written
-//! How long a unit is that OpenCASCADE names so.
+//! The length of a unit, by the name that OpenCASCADE gives it, mm.
 double millimetres_in(const std::string& unit);
 
+//! Writes a document. A STEP file states the edge tolerance as its accuracy.
+//! \param source  gives unit and schema of the file
+//! \throws InvalidInput if it cannot be written
 void write_document(const CadDocument& document, const CadSource& source,
                     const CadWriting& writing);
 
-//! Reads it again.
+//! Reads a written file.
 std::shared_ptr<CadSource> read_document(const std::string& path, CadFormat format);
 
 }  // namespace sheetmorph::cad

@@ -9,7 +9,8 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// Over the summed area: a shorter sum of normals is rounding.
+// Sum of the normals relative to the summed area. From rounding (1e-16), with a margin so that six
+// digits of the direction are left.
 constexpr double cancelled = 1e-10;
 
 Vector3 area_vector(const Points& points, const Triangles& triangles, int t)

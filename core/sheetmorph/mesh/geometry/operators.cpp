@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/geometry/operators.h"
 
+#include "sheetmorph/mesh/geometry/thinness.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <utility>
@@ -11,11 +13,8 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// Height over longest edge; a thinner triangle is degenerate.
-constexpr double thinnest = 1e-4;
-
-// Replaces negative and zero cotangent weights. It is small against the weight of a regular edge
-// (0.58) but keeps a vertex connected to its neighbours.
+// Replaces negative and zero cotangent weights. Chosen: small against the weight of a regular edge,
+// cot(60 degrees) = 0.58, but a vertex with no other edges stays connected to its neighbours.
 constexpr double smallest_weight = 1e-3;
 
 struct Corners
@@ -84,7 +83,7 @@ std::vector<char> sound_vertices(const TriangleMesh& mesh)
     {
         const Corners corners(mesh, t);
         if (!repeats_a_vertex(mesh.triangles(), t)
-            && corners.twice_area > thinnest * corners.longest)
+            && corners.twice_area > thinnest_for_operators * corners.longest)
             for (int k = 0; k < 3; ++k)
                 sound[static_cast<std::size_t>(mesh.triangles()(t, k))] = 1;
     }
@@ -134,7 +133,7 @@ Points half_cotangents(const TriangleMesh& mesh)
         if (!counts)
             continue;
         const Corners corners(mesh, t);
-        const double sine = std::max(corners.twice_area, thinnest * corners.longest);
+        const double sine = std::max(corners.twice_area, thinnest_for_operators * corners.longest);
         for (int k = 0; k < 3; ++k)
             weights(t, k) = 0.5 * corners.corner_dot(k) / sine;
     }
@@ -194,7 +193,7 @@ Eigen::VectorXd voronoi_areas(const TriangleMesh& mesh)
         }
     }
     for (Eigen::Index i = 0; i < areas.size(); ++i)
-        areas(i) = extent(i) == 0.0 ? 1.0 : std::max(areas(i), thinnest * extent(i));
+        areas(i) = extent(i) == 0.0 ? 1.0 : std::max(areas(i), thinnest_for_operators * extent(i));
     return areas;
 }
 

@@ -22,8 +22,12 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// Radians. The bend at a rim exceeds the bends between facets of a coarse round wall.
+// Radians (40 degrees). From geometry: a rim bends by 90 degrees. The facets of a round wall bend
+// by 40 degrees if there are nine of them.
 constexpr double rim_angle = 0.7;
+
+// Relative to the radius. From geometry: a vertex on the chord of a 16-gon deviates by
+// 1 - cos(pi / 16) = 0.019.
 constexpr double rim_roundness = 0.02;
 
 // The bounding box excludes unused vertices, which may be anywhere.

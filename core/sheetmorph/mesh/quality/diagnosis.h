@@ -6,7 +6,8 @@
 namespace sheetmorph::mesh
 {
 
-//! A triangle with a larger ratio of longest edge to height counts as a sliver.
+//! A triangle with a larger ratio of longest edge to height counts as a sliver. Chosen: its
+//! smallest angle is below 2.3 degrees, and its cotangents reach 25 (1.7 at most in a good mesh).
 constexpr double sliver_aspect = 25.0;
 
 //! Kind of a connected piece of a mesh whose near vertices are merged.

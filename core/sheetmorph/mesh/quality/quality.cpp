@@ -18,8 +18,10 @@ namespace sheetmorph::mesh
 namespace
 {
 
-constexpr double folded_over = 150.0 / 180.0 * pi;
-constexpr double least_growth = 30.0 / 180.0 * pi;
+// Radians. Chosen: two triangles closer than 30 degrees lie on each other; no sheet is formed so
+// sharply without a hem. least_growth keeps the hems that the part has at rest.
+constexpr double folded_over = 150.0 * degree;
+constexpr double least_growth = 30.0 * degree;
 
 double corner_angle(const TriangleMesh& mesh, int triangle, int k)
 {
@@ -98,7 +100,7 @@ MeshQuality quality(const TriangleMesh& mesh)
         found.worst_aspect = std::max(found.worst_aspect, aspect(mesh, t));
         for (int k = 0; k < 3; ++k)
             found.worst_angle_degrees =
-                std::min(found.worst_angle_degrees, corner_angle(mesh, t, k) * 180.0 / pi);
+                std::min(found.worst_angle_degrees, corner_angle(mesh, t, k) / degree);
     }
     return found;
 }
@@ -115,7 +117,7 @@ Eigen::VectorXd vertex_quality(const TriangleMesh& mesh)
             worst = std::min(worst, tangent);
         }
     }
-    return found.array().atan() * (180.0 / pi);
+    return found.array().atan() / degree;
 }
 
 QualityChange compare_quality(const TriangleMesh& rest, const Points& points)

@@ -70,6 +70,7 @@ std::vector<TJunction> junctions_on(const TriangleMesh& mesh,
     if (edges.empty() || mesh.size() == 0.0)
         return {};
     const Points& points = mesh.points();
+    // Chosen: cells two edges wide, at most 256 along the mesh, so that few are empty.
     const double side = std::max(2.0 * median_length(points, edges), mesh.size() / 256.0);
     const PointGrid grid(points, used_vertices(mesh), side);
     std::vector<TJunction> found;

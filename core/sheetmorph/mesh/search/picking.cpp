@@ -22,9 +22,9 @@ namespace sheetmorph::mesh
 namespace
 {
 
-constexpr int triangles_per_leaf = 4;
-constexpr int leaves_at_once = 64;
-constexpr int most_levels = 32;
+constexpr int triangles_per_leaf = 4;  // chosen, not measured: 2 to 8 are usual in box trees
+constexpr int leaves_at_once = 64;     // chosen, not measured: fewest leaves for a thread
+constexpr int most_levels = 32;        // from int: no mesh has 2^32 leaves
 constexpr double far_away = std::numeric_limits<double>::infinity();
 
 // The lowest 21 bits of a number, two zeros between each.
@@ -128,6 +128,7 @@ void PickingTree::order_triangles()
 {
     const Vector3 low = points_.colwise().minCoeff();
     const Vector3 extent = points_.colwise().maxCoeff().transpose() - low;
+    // 2^21 - 1: three numbers of 21 bits fit into one of 64.
     const double scale = 2097151.0 / std::max(extent.maxCoeff(), 1e-300);
     std::vector<std::pair<std::uint64_t, int>> keys(triangles_.rows());
     for (int t = 0; t < triangles_.rows(); ++t)

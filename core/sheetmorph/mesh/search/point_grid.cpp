@@ -45,10 +45,11 @@ PointGrid::PointGrid(const Points& points, const VertexIds& chosen, double side)
         entries_[next[slot_of(cells[k])]++] = {cells[k], chosen[k]};
 }
 
-// Clamps cell indices to a range in which doubles are exact; farther points fall in the last cell.
+// Clamps cell indices to a range in which doubles are exact (integers up to 2^53 = 9e15); farther
+// points fall in the last cell.
 PointGrid::Cell PointGrid::cell_of(const Vector3& place) const
 {
-    constexpr double last = 1e15;
+    constexpr double last = 1e15;  // from doubles: below 2^53
     const Vector3 cell = ((place - low_) / side_).cwiseMax(-1.0).cwiseMin(last);
     return {static_cast<std::int64_t>(std::floor(cell.x())),
             static_cast<std::int64_t>(std::floor(cell.y())),

@@ -13,8 +13,7 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// Squared ratio of height to longest edge; below it, rounding makes the plane of a triangle
-// uncertain.
+// Squared ratio of height to longest edge, from thinnest_triangle: 1e-5 squared.
 constexpr double thin = 1e-10;
 
 Vector3 point_at(const TriangleCorners& corners, const Vector3& barycentric)

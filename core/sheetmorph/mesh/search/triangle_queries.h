@@ -44,7 +44,8 @@ public:
     bool meets(const TriangleCorners& corners, Hit& hit) const;
 
 private:
-    //! Relative rounding error of the tests, with a margin.
+    //! Relative rounding error of the tests: about five operations on coordinates, each exact to
+    //! half an epsilon, with a margin of six.
     static constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
 
     Vector3 origin_;

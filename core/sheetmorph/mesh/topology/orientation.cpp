@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/topology/orientation.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/disjoint_sets.h"
 
 #include <Eigen/Geometry>
@@ -15,8 +16,9 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// Half of the full solid angle 4 pi; a larger angle means inside.
-constexpr double half_turn_of_space = 6.283185307179586;
+// Half of the full solid angle 4 pi; a larger angle means inside. From geometry: a point outside
+// has the angle 0, a point inside 4 pi.
+constexpr double half_turn_of_space = 2.0 * pi;
 
 // Orients the triangles of one piece like `seed`. Returns the piece.
 std::vector<int> orient_piece(const EdgeTable& table, int seed, Orientation& orientation)

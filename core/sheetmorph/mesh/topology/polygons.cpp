@@ -14,7 +14,8 @@ namespace sheetmorph::mesh
 namespace
 {
 
-// Radians; sums of angles that differ by less count as equal.
+// Radians. Sums of angles that differ by less count as equal, so that rounding does not choose the
+// diagonal of a rectangle. Chosen far above the rounding of an angle (1e-15).
 constexpr double equal_angles = 1e-9;
 
 using Quad = Eigen::RowVector4i;

@@ -6,10 +6,10 @@
 namespace sheetmorph::numerics
 {
 
-//! The first k columns of a symmetric positive definite matrix of r rows become those of its
+//! Replaces the first k columns of a symmetric positive definite matrix of r rows by those of its
 //! Cholesky factor.
 //! \param panel           (r, k), lower triangle used; above it the result is undefined
-//! \param inverse_blocks  of the factor's diagonal blocks, one below the other
+//! \param inverse_blocks  inverses of the diagonal blocks of the factor, one below the other
 //! \throws SolverError if the matrix is not positive definite
 void factorise_columns(WeightsTarget panel, Weights& inverse_blocks);
 
@@ -26,20 +26,20 @@ public:
     //! \throws SolverError if the matrix is not positive definite
     explicit DenseCholesky(Weights matrix);
 
-    //! Least entry of L's diagonal.
+    //! The smallest diagonal entry of L.
     double smallest_pivot() const { return lower_.diagonal().minCoeff(); }
 
     //! N^-1 right, (m, 3).
     Points solve(const Points& right) const;
 
-    //! The same of one right side, (m).
+    //! N^-1 right, (m), for one right-hand side.
     Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
     //! L^-T right, (m, 3): the second half of solve().
     Points solve_upper(const Points& right) const;
 
-    //! rows * L^-T, (r, m): of two such results the product with the other's transpose is
-    //! rows N^-1 others^T.
+    //! rows * L^-T, (r, m). The product of two such results, the second transposed, is rows N^-1
+    //! others^T.
     Weights half_solve_rows(Weights rows) const;
 
 private:

@@ -10,8 +10,8 @@
 namespace sheetmorph::numerics
 {
 
-//! Some columns of a sparse Cholesky factor that share their rows, the first of which are their
-//! own.
+//! Columns of a sparse Cholesky factor that share their rows. The first rows are those of the
+//! front's own unknowns.
 struct Front
 {
     int columns = 0;
@@ -29,14 +29,14 @@ struct Front
     Eigen::Map<Weights> panel() const { return {entries.get(), height(), columns}; }
 };
 
-//! A factor L L^T in fronts, every one before that which it updates.
+//! A factor L L^T in fronts. Every front comes before those that it updates.
 struct FrontList
 {
-    int slots = 0;                               //!< rows of right sides
+    int slots = 0;                               //!< rows of right-hand sides
     std::vector<std::shared_ptr<Front>> fronts;  //!< (f)
-    std::vector<int> parent;                     //!< (f) front above, -1: none
+    std::vector<int> parent;                     //!< (f) front above; -1 for none
 
-    //! Entries of the factor.
+    //! Number of entries of the factor.
     double count() const
     {
         double sum = 0.0;

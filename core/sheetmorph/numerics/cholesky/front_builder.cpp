@@ -13,7 +13,8 @@ namespace sheetmorph::numerics
 namespace
 {
 
-// Memory of so many updates is kept for the next ones.
+// Number of updates whose memory is kept for the next ones. Chosen, not measured: more would keep
+// memory that only few later updates fit.
 constexpr std::size_t most_spare = 6;
 
 Eigen::Map<Weights> square(Update& update, int rows)
@@ -85,7 +86,7 @@ void FrontBuilder::number_rows(const Front& front, int from)
         local_[at(front.rows()[at(row)])] = row - from;
 }
 
-// All entries on and below the diagonal, in the columns of the node's unknowns.
+// Adds all entries on and below the diagonal, in the columns of the node's unknowns.
 void FrontBuilder::add_entries(int node, Front& front)
 {
     const std::vector<int>& unknown_of = elimination_.matrix().unknown_of;
@@ -133,7 +134,7 @@ void FrontBuilder::add_update(int child, const Front& front, Update& update)
         spare_.push_back(std::move(taken));
 }
 
-// The smallest spare memory that has room for it, or fresh one.
+// Returns an update of zeros, in the smallest spare memory that suffices or in new memory.
 Update FrontBuilder::zero_update(const Front& front)
 {
     const std::size_t rows = at(front.below());

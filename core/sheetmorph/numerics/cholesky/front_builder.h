@@ -6,21 +6,21 @@
 namespace sheetmorph::numerics
 {
 
-//! What a subtree takes off the rows above it: (below, below) contiguous; above the diagonal
-//! undefined.
+//! The contribution of a subtree to the rows above it, (below, below), contiguous; undefined above
+//! the diagonal.
 struct Update
 {
     std::unique_ptr<double[]> entries;
     std::size_t room = 0;
 };
 
-//! A factor on its way, which all builders share.
+//! The state of a factorisation, which all builders share.
 struct FrontWork
 {
     const FrontPattern& pattern;
     const SparseMatrix& values;
     FrontList& factor;
-    std::vector<Update> updates;  //!< by node, where the node above waits for it
+    std::vector<Update> updates;  //!< by node, until the node above uses it
 
     const Front& front(int node) const { return *factor.fronts[static_cast<std::size_t>(node)]; }
 };
@@ -31,10 +31,10 @@ class FrontBuilder
 public:
     explicit FrontBuilder(FrontWork& work);
 
-    //! The node's front and its update; its children are done.
+    //! Computes the node's front and its update. Its children must be complete.
     void build(int node);
 
-    //! The update of a subtree whose fronts were taken over.
+    //! Computes the update of a subtree whose fronts come from an earlier factor.
     void gather(int node);
 
 private:
@@ -47,10 +47,10 @@ private:
     FrontWork& work_;
     const Elimination& elimination_;
     const SeparatorTree& tree_;
-    std::vector<int> local_;  // by slot: row of the front in hand, if it has the slot
+    std::vector<int> local_;  // by slot: row of the current front, if it has the slot
     std::vector<int> targets_;
     Weights inverse_blocks_;
-    std::vector<Update> spare_;  // memory of updates that were taken in
+    std::vector<Update> spare_;  // memory of used updates
 };
 
 }  // namespace sheetmorph::numerics

@@ -19,7 +19,7 @@ namespace
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// `together` rows of a front from `first` on.
+// `together` rows of a front, from `first` on.
 template <int together>
 struct Rows
 {
@@ -34,7 +34,7 @@ struct Rows
     HWY_INLINE const double* operator[](int r) const { return at[r]; }
 };
 
-// On `sides` right sides at once.
+// Substitution for `sides` right-hand sides at once.
 template <int sides>
 struct Substitution
 {
@@ -45,10 +45,10 @@ struct Substitution
     {
         hn::Vec<Part> part[sides / width];
 
-        // An implicit one would not be compiled for the instruction set.
+        // An implicit constructor would not be compiled for the instruction set.
         HWY_INLINE Lanes() {}
 
-        // -= factor * other
+        // this -= factor * other
         HWY_INLINE void take_off(double factor, const Lanes& other)
         {
             for (int p = 0; p < sides / width; ++p)
@@ -82,7 +82,7 @@ struct Substitution
             hn::StoreU(value.part[p], Part(), w + sides * row + p * width);
     }
 
-    // Takes the part of the columns before `columns` off some rows.
+    // Subtracts the part of the columns before `columns` from some rows.
     template <int together>
     static HWY_INLINE void take_off(const Rows<together>& row, int columns, const double* w,
                                     Lanes (&sums)[together])
@@ -112,7 +112,7 @@ struct Substitution
         }
     }
 
-    // Where the rows of a front are, by their place in it.
+    // Rows of a front that are stored in its own order.
     struct InPlace
     {
         double* x;
@@ -149,7 +149,7 @@ struct Substitution
             sums[r].add_to(target.of(first + r));
     }
 
-    // Takes the part of some rows, known, off the columns before `columns`.
+    // Subtracts the part of some known rows from the columns before `columns`.
     template <int together>
     static HWY_INLINE void spread(const Rows<together>& row, int columns,
                                   const Lanes (&known)[together], double* w)
@@ -189,7 +189,7 @@ struct Substitution
         spread(row, first, x, w);
     }
 
-    // Own rows of x, in their order.
+    // Collects the own rows of x, in the order of the front.
     static HWY_INLINE void gather(const Front& front, const double* x, double* w)
     {
         for (int row = 0; row < front.columns; ++row)
@@ -230,7 +230,7 @@ struct Substitution
         const double* const end = w + sides * front.columns;
         if (std::all_of(static_cast<const double*>(w), end,
                         [](double side) { return side == 0.0; }))
-            return;  // local right sides reach few fronts
+            return;  // sparse right-hand sides reach few fronts
         forward_own(front, w);
         scatter(front, w, target.x);
         forward_below(front, w, target);
@@ -274,7 +274,7 @@ struct Substitution
     }
 };
 
-// Narrower registers have few sides alone.
+// Narrower registers support few_sides only.
 using Few = Substitution<few_sides>;
 constexpr bool has_many = hn::MaxLanes(hn::CappedTag<double, many_sides>()) == many_sides;
 using Many = Substitution<has_many ? many_sides : few_sides>;

@@ -6,15 +6,15 @@
 namespace sheetmorph::numerics
 {
 
-//! How many right sides are computed side by side: few, as for one shape, or as many as the widest
-//! instructions hold.
+//! Right-hand sides that are solved side by side: few_sides, from the three coordinates of one
+//! shape, or many_sides, from the widest registers (8 doubles).
 constexpr int few_sides = 4;
 constexpr int many_sides = 8;
 
-//! Whether `many_sides` take less time than twice `few_sides`.
+//! Whether solving for `many_sides` takes less time than twice for `few_sides`.
 bool has_many_sides();
 
-//! Right sides on their way through fronts.
+//! Right-hand sides and the fronts to solve with.
 struct FrontRun
 {
     const FrontList& factor;
@@ -23,16 +23,17 @@ struct FrontRun
     std::vector<double*> x;           //!< groups (slots, sides), row by row
     double* scratch;                  //!< (most columns of a front, sides)
     const int* top_row = nullptr;     //!< (slots) row of `above` or -1
-    std::vector<double*> above = {};  //!< by group, (rows, sides); empty: all is taken off x
+    std::vector<double*> above = {};  //!< by group, (rows, sides); empty: subtract from x
 };
 
-//! Solves for the own rows of one front after the other and takes their part off those below.
+//! Forward substitution: solves for the own rows of each front and subtracts their part from the
+//! rows below.
 void run_forward(const FrontRun& run);
 
-//! The same of one front whose rows are w (rows, sides), row by row.
+//! The same for one front, with rows w (rows, sides), row by row.
 void run_forward(const Front& front, int sides, double* w);
 
-//! Solves for the own rows of the transposed, from the last front to the first.
+//! Backward substitution with the transposed factor, from the last front to the first.
 void run_backward(const FrontRun& run);
 
 }  // namespace sheetmorph::numerics

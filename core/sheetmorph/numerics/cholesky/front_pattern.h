@@ -8,16 +8,16 @@
 namespace sheetmorph::numerics
 {
 
-//! Slots of the rows of one front, in the order of elimination; fronts of several factors share
+//! Slots of the rows of one front, in the order of elimination. Fronts of several factors may share
 //! them.
 using FrontRows = std::shared_ptr<const std::vector<int>>;
 
-//! The symbolic factorisation: which rows every front has. It depends on the pattern of a matrix,
-//! not on its values.
+//! The symbolic factorisation: the rows of every front. It depends on the pattern of a matrix, not
+//! on its values.
 class FrontPattern
 {
 public:
-    //! \param earlier  of the same whole matrix and tree: fronts that stay the same share its rows
+    //! \param earlier  of the same whole matrix and tree; unchanged fronts share its rows
     explicit FrontPattern(Elimination elimination, const FrontPattern* earlier = nullptr);
 
     const Elimination& elimination() const { return elimination_; }
@@ -32,7 +32,7 @@ public:
     const std::vector<int>& unchanged_subtrees() const { return unchanged_; }
 
     //! Calls visit(worker, node) for all changed nodes, children before their parents. Subtrees run
-    //! at the same time, each with its own worker.
+    //! in parallel, each with its own worker.
     template <typename NewWorker, typename Visit>
     void for_changed(const NewWorker& new_worker, const Visit& visit) const
     {

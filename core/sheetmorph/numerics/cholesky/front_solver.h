@@ -9,8 +9,9 @@
 namespace sheetmorph::numerics
 {
 
-//! Triangular solves that read the factor once each way for all right sides, at the speed of the
-//! memory; of large factors some shares at the same time, each subtrees of the elimination tree.
+//! Triangular solves that read the factor once in each direction for all right-hand sides, at the
+//! bandwidth of the memory. Several threads read large factors, each a share of the subtrees of the
+//! elimination tree.
 class FrontSolver
 {
 public:
@@ -22,10 +23,10 @@ public:
 
     const FrontList& factor() const { return factor_; }
 
-    //! To change values, never the rows.
+    //! Access to change values, never rows.
     FrontList& factor() { return factor_; }
 
-    //! \param x  right sides in, solutions out; all groups of one width
+    //! \param x  right-hand sides on input, solutions on output; all groups of one width
     void solve(Groups& x) const;
 
 private:
@@ -37,10 +38,10 @@ private:
     void share_subtrees();
 
     FrontList factor_;
-    std::vector<Nodes> shares_;  // fronts, ascending; one share where they are few
-    Nodes top_;                  // above all shares
-    std::vector<int> top_rows_;  // slots of the fronts above
-    std::vector<int> top_row_;   // (slots) row among these or -1
+    std::vector<Nodes> shares_;  // fronts, ascending; a single share if they are few
+    Nodes top_;                  // fronts above all shares
+    std::vector<int> top_rows_;  // slots of these fronts
+    std::vector<int> top_row_;   // (slots) row among these; -1 for none
     int widest_ = 0;             // most columns of a front
 };
 

@@ -8,8 +8,8 @@
 namespace sheetmorph::numerics
 {
 
-//! Z^T Z (k, k) of Z = L^-1 right, its lower triangle; above it the result is undefined. Every
-//! front is only met by the columns that reach it, so that sparse columns take little.
+//! Z^T Z (k, k) for Z = L^-1 right, lower triangle; undefined above it. Every front processes only
+//! the columns that reach it, so sparse columns are cheap.
 //! \param right  (slots, k)
 Weights half_solved_product(const FrontList& factor,
                             const Eigen::SparseMatrix<double, Eigen::RowMajor>& right);

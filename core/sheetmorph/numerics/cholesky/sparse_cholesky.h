@@ -8,26 +8,26 @@
 namespace sheetmorph::numerics
 {
 
-//! Factor of a sparse symmetric positive definite matrix along a tree of separators.
-//! solve() only substitutes and may run in several threads at once.
+//! Factor of a sparse symmetric positive definite matrix along a tree of separators. solve() only
+//! substitutes, and several threads may call it at once.
 class SparseCholesky
 {
 public:
     //! \param tree     of the whole matrix
-    //! \param earlier  of the same whole matrix with other rows merged or left out, if there is
-    //!                 one: what does not change is taken over
+    //! \param earlier  optional, a factor of the same whole matrix with other rows merged or left
+    //!     out; unchanged fronts are reused
     //! \throws SolverError if the merged matrix is not positive definite
     SparseCholesky(MergedMatrix matrix, std::shared_ptr<const SeparatorTree> tree,
                    const SparseCholesky* earlier = nullptr);
 
-    //! A factor without values: factorise() comes before solve().
+    //! A factor without values. Call factorise() before solve().
     explicit SparseCholesky(std::shared_ptr<const FrontPattern> pattern);
 
-    //! Factorises another matrix of the same pattern in the same memory. Fronts shared with other
-    //! factors are not touched.
+    //! Factorises another matrix of the same pattern in the same memory. Does not change fronts
+    //! that other factors share.
     //! \param whole  before rows are merged or left out
     //! \throws SolverError if the merged matrix is not positive definite; then only factorise() may
-    //!                     follow
+    //!     follow
     void factorise(const SparseMatrix& whole);
 
     //! \param right_sides  (n, k)
@@ -40,7 +40,7 @@ public:
 
     Eigen::Index size() const { return pattern_->elimination().matrix().count; }
 
-    //! Entries of the factor, for memory and fill reports.
+    //! Number of entries of the factor, for reports of memory and fill.
     double factor_entries() const { return solver_.factor().count(); }
 
 private:
@@ -55,7 +55,7 @@ private:
     FrontSolver solver_;
 };
 
-//! diag(factors) * matrix; Eigen's own expression for it moves memory at every column.
+//! diag(factors) * matrix. Eigen's own expression would move memory at every column.
 SparseMatrix rows_scaled(const SparseMatrix& matrix, const Eigen::VectorXd& factors);
 
 //! B^T diag(w) B.

@@ -15,7 +15,7 @@ namespace
 
 constexpr int none = -1;
 
-// Sorts 0 .. keys.size() - 1 by keys 0 .. count - 1, stably; where each key begins.
+// Sorts 0 .. keys.size() - 1 stably by keys 0 .. count - 1. Returns where each key begins.
 std::vector<int> sorted_by(const std::vector<int>& keys, int count, std::vector<int>& order)
 {
     std::vector<int> start(at(count) + 1, 0);
@@ -60,8 +60,8 @@ void Elimination::collect_rows()
         slot_of_[at(unknown)] = place[at(*rows_begin(unknown))];
 }
 
-// Whatever the tree was made for, unknowns that are coupled end up one above the other: what is
-// lifted stays above all that was below it.
+// With any tree, coupled unknowns end up one above the other: an unknown that moves up stays above
+// all that was below it.
 void Elimination::find_nodes()
 {
     std::vector<int> node_of_row(tree_->order.size());
@@ -115,7 +115,7 @@ void Elimination::sort_by_node()
     }
 }
 
-// Those of the same rows, eliminated at the same node.
+// Unknowns with the same rows, eliminated at the same node.
 std::vector<char> Elimination::same_unknowns(const Elimination& earlier) const
 {
     std::vector<char> is_same(at(matrix_.count), 0);

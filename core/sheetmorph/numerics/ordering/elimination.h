@@ -10,21 +10,21 @@ namespace sheetmorph::numerics
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-//! S^T M S of a whole symmetric matrix M, S having one 1 a row at most: rows of one unknown are
-//! added up, rows of none are left out.
+//! S^T M S of a whole symmetric matrix M, where S has at most one entry 1 per row: rows of one
+//! unknown are added, rows without an unknown are left out.
 struct MergedMatrix
 {
     std::shared_ptr<const SparseMatrix> whole;  //!< M (n, n), both triangles
-    std::vector<int> unknown_of;                //!< (n) 0 .. count - 1; negative: none
+    std::vector<int> unknown_of;                //!< (n) 0 .. count - 1; negative for no unknown
     int count = 0;
 };
 
-//! Every row an unknown of its own.
+//! Every row is an unknown of its own.
 MergedMatrix unmerged(std::shared_ptr<const SparseMatrix> whole);
 
-//! Where in a tree of the whole matrix every unknown is eliminated: at the lowest node that has
-//! all its rows below it. Unknowns are told by slots, the places of their first rows in the tree's
-//! order, which stay the same when other unknowns come and go.
+//! The node of a tree of the whole matrix at which each unknown is eliminated: the lowest one with
+//! all its rows below it. A slot identifies an unknown: the place of its first row in the order of
+//! the tree. Slots stay the same when other unknowns appear or disappear.
 class Elimination
 {
 public:
@@ -47,15 +47,15 @@ public:
 
     int slot_of(int unknown) const { return slot_of_[static_cast<std::size_t>(unknown)]; }
 
-    //! Which in the order of elimination an unknown is.
+    //! The rank of an unknown in the order of elimination.
     int rank_of(int unknown) const { return rank_of_[static_cast<std::size_t>(unknown)]; }
     int rank_of_slot(int slot) const { return rank_of_slot_[static_cast<std::size_t>(slot)]; }
     int slot_of_rank(int rank) const { return slot_of(order_[static_cast<std::size_t>(rank)]); }
 
-    //! First rank after those of a node.
+    //! The first rank after those of a node.
     int rank_after(int node) const { return own_start_[static_cast<std::size_t>(node) + 1]; }
 
-    //! (nodes) whose columns and all below them are what they were in an earlier elimination.
+    //! (nodes) whether the columns of a node, and all below them, are as in an earlier elimination.
     std::vector<char> unchanged_nodes(const Elimination& earlier) const;
 
 private:

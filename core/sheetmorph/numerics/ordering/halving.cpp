@@ -11,10 +11,13 @@ namespace sheetmorph::numerics
 namespace
 {
 
-// From so many rows on, halves are ordered at the same time.
+// From this many rows on, two threads order the halves. Chosen, not measured: estimated at 10 ns a
+// row, they take several times the 30 microseconds that waking a thread takes.
 constexpr std::ptrdiff_t large_range = 20000;
 
-// Of the planes that halve, by the length along them.
+// Slope of the plane that halves. Upright planes coincide with walls across the longest side, and
+// rounding then divides the wall. Chosen: 3 in 100 separates a wall clearly and lengthens the cut
+// by only 0.05 %. The second slope is 0.7 of it, so that no wall at 45 degrees coincides either.
 constexpr double lean = 0.03;
 
 void group(VertexIds::iterator begin, VertexIds::iterator end, const Points& places,

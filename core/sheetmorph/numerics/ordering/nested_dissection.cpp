@@ -16,17 +16,18 @@ namespace sheetmorph::numerics
 namespace
 {
 
-// Sets this small are eliminated as they come: their fill is one dense block.
+// Smaller sets are not divided. Chosen: an interior vertex has about 6 neighbours (18 for the
+// energy), so the fill of 12 vertices is one dense block in any order.
 constexpr std::ptrdiff_t smallest_set = 12;
 
-// From so many rows on the halves of a set are cut at the same time.
+// From this many rows on, two threads cut the halves; from halving.cpp.
 constexpr std::ptrdiff_t large_set = 20000;
 
 constexpr int unnumbered = -1;
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-// What separates two halves ends here in the order; it begins where the set before it ends.
+// A separator: it ends here in the order and begins where the set before it ends.
 struct Set
 {
     int end;
@@ -49,7 +50,7 @@ private:
 
     Set set_of(Place end, int parent) { return {static_cast<int>(end - order_.begin()), parent}; }
 
-    // Half of the sets, whose root is below the first of all.
+    // Appends the sets of one half, whose root is below the first set of all.
     static void append(const std::vector<Set>& half, std::vector<Set>& all)
     {
         const int before = static_cast<int>(all.size());
@@ -60,7 +61,7 @@ private:
         }
     }
 
-    // As dissect(); no vertex of one half touches one of the other.
+    // As dissect(), with both halves in parallel, because no vertex of one touches the other.
     std::vector<Set> dissect_large(Place begin, Place end)
     {
         if (end - begin < large_set)
@@ -106,8 +107,8 @@ private:
         return sets;
     }
 
-    // left, right -> left, right, separator; where right begins and ends. The separator has rows of
-    // both halves: as few as touch all entries between them.
+    // Reorders (left, right) to (left, right, separator). Returns where right begins and ends. The
+    // separator takes rows of both halves: the fewest that touch all entries between them.
     std::pair<Place, Place> cut(Place begin, Place end)
     {
         look_for_stop();
@@ -160,7 +161,7 @@ private:
         return separator;
     }
 
-    // Sets in reverse are nodes: children before parents, subtrees together.
+    // In reverse order, sets are nodes: children before parents, and subtrees together.
     SeparatorTree tree_of(const std::vector<Set>& sets)
     {
         const int count = static_cast<int>(sets.size());
@@ -183,7 +184,7 @@ private:
     const SparseMatrix& matrix_;
     const Points& places_;
     std::vector<int> order_;
-    std::vector<int> mark_;  // of rows while their set is cut
+    std::vector<int> mark_;  // of the rows of the current set
 };
 
 }  // namespace

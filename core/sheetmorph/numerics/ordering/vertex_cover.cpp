@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr int none = -1;
-constexpr int dead = std::numeric_limits<int>::max();  // no augmenting path passes here any more
+constexpr int dead = std::numeric_limits<int>::max();  // no augmenting path leads through it
 
 class Matching
 {
@@ -61,8 +61,9 @@ private:
             }
     }
 
-    //! Searches in breadth a path of edges in turn outside and in the matching, and swaps them.
-    //! False: there is none; the queue has the left vertices on the way.
+    //! Searches breadth-first for a path that alternates between edges outside and inside the
+    //! matching, and swaps them. Returns false if there is none; the queue then holds the left
+    //! vertices that it has reached.
     bool augment(int root)
     {
         queue_.assign(1, root);
@@ -100,7 +101,7 @@ private:
 
     const BipartiteGraph& graph_;
     std::vector<int> right_of_, left_of_;  // partners
-    std::vector<int> reached_;             // by right vertex: the root of the last search there
+    std::vector<int> reached_;             // by right vertex: root of the last search
     std::vector<int> reached_from_;        // by right vertex
     std::vector<int> queue_;
 };

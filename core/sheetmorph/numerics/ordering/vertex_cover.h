@@ -10,7 +10,7 @@ namespace sheetmorph::numerics
 struct BipartiteGraph
 {
     std::vector<int> first = {0};  //!< (l + 1) where the edges of each left vertex begin in `right`
-    std::vector<int> right;        //!< (edges) their right ends
+    std::vector<int> right;        //!< (edges) their right vertices
     int right_count = 0;
 
     int left_count() const { return static_cast<int>(first.size()) - 1; }

@@ -21,7 +21,8 @@ namespace
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Twelve sums of two registers are under way at once, as many as 16 registers have room for.
+// From the processor: six rows of two registers are twelve sums; of the 16 registers of AVX2 two
+// hold the panel and one the entry of a row.
 constexpr int tile_rows = 6;
 
 // A tile of the product: tile_rows rows of `left` against a packed panel of 2 * width columns.
@@ -31,7 +32,7 @@ struct Tile : sheetmorph::HWY_NAMESPACE::LaneFunctions
     const double* panel;  // (depth, 2 * width)
     Eigen::Index depth;
     double factor;
-    double* result[tile_rows];  // whole tiles are added here, others left in `sums`
+    double* result[tile_rows];  // whole tiles are added here, others stay in `sums`
     bool is_whole;
     double sums[tile_rows][2 * width];
 
@@ -63,13 +64,13 @@ struct Tile : sheetmorph::HWY_NAMESPACE::LaneFunctions
     }
 };
 
-// Products with three columns: the sums of wider registers take longer than they save.
+// Products with three columns. The final sums of wider registers would take longer than they save.
 struct ThreeColumns
 {
     using Narrow = hn::CappedTag<double, 4>;
     static constexpr Eigen::Index width = hn::MaxLanes(Narrow());
 
-    // The sum and all lanes, in their order.
+    // The sum plus all lanes, in order.
     template <class D>
     static HWY_INLINE double added(double sum, D lanes, hn::Vec<D> value)
     {
@@ -104,7 +105,7 @@ struct ThreeColumns
     }
 };
 
-// Rows first .. of `right` side by side, zeros where there are none.
+// Packs rows of `right`, from `first` on, side by side; fills up with zeros.
 void pack(const WeightsView& right, Eigen::Index first, int columns, double* panel)
 {
     std::fill(panel, panel + columns * right.cols(), 0.0);
@@ -114,11 +115,11 @@ void pack(const WeightsView& right, Eigen::Index first, int columns, double* pan
             panel[columns * k + c] = right(first + c, k);
 }
 
-// In tiles of 2 * width columns.
+// Multiplies in tiles of 2 * width columns.
 void add_product_widest(const WeightsView& left, const WeightsView& right, double factor,
                         WeightsTarget& result)
 {
-    constexpr int across = 2 * Tile::width;
+    constexpr int across = 2 * Tile::width;  // from the tile
     const Eigen::Index depth = left.cols(), rows = left.rows(), columns = right.rows();
     thread_local std::vector<double> panel;
     panel.resize(std::max(panel.size(), static_cast<std::size_t>(across * depth)));
@@ -173,7 +174,7 @@ void add_product(const WeightsView& left, const WeightsView& right, double facto
 void add_lower_product(const WeightsView& left, const WeightsView& right, double factor,
                        WeightsTarget result)
 {
-    constexpr Eigen::Index strip = 48;  // whole tiles of any width
+    constexpr Eigen::Index strip = 48;  // from the tiles: a multiple of every width
     for (Eigen::Index j = 0; j < result.cols(); j += strip)
     {
         const Eigen::Index wide = std::min(strip, result.cols() - j), high = result.rows() - j;

@@ -24,13 +24,14 @@ namespace
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr int panel = 8;  // rows
+constexpr int panel = 8;  // rows; from the widest register, eight doubles
 
-// A float in [2^e, 2^(e+1)) is at most 2^(e-24) from its entry: 2^15 units of 2^(e-39).
+// From the formats: a float in [2^e, 2^(e+1)) is at most 2^(e-24) from its entry. That is 2^15
+// units of 2^(e-39), so 16 bits hold the remainder.
 constexpr float unit_share = 1.0F / (1LL << 39);
 constexpr std::int32_t exponent_bits = 0x7f800000;
 
-//! The panels of a matrix; without the remainders of the entries where they need not be exact.
+//! The panels of a matrix; without the remainders for live products.
 template <typename Remainder>
 struct Panels
 {
@@ -47,7 +48,7 @@ struct Kernel : sheetmorph::HWY_NAMESPACE::LaneFunctions
 
     static constexpr int parts = panel / width;  // of a column of a panel
 
-    // Twelve sums are under way at once, or those of one panel.
+    // From the processor, as in dense_products.cpp: twelve sums run at once, or those of one panel.
     static constexpr int together = std::max(1, 4 / parts);
 
     static HWY_INLINE Lanes widened(const float* entries)
@@ -60,7 +61,7 @@ struct Kernel : sheetmorph::HWY_NAMESPACE::LaneFunctions
         return widened(rests);
     }
 
-    // The products are exact: their factors are powers of two and 16 bits.
+    // Exact, because the factors are powers of two and numbers of 16 bits.
     static HWY_INLINE Lanes widened(const float* entries, const std::int16_t* rests)
     {
         const hn::Rebind<std::int16_t, Doubles> shorts;
@@ -72,7 +73,7 @@ struct Kernel : sheetmorph::HWY_NAMESPACE::LaneFunctions
         return hn::PromoteTo(Doubles(), powers * units);
     }
 
-    // \param entries  of some panels, `stride` entries apart
+    // \param entries  of several panels, `stride` entries apart
     template <int panels>
     static HWY_INLINE void multiply(const Panels<Remainder>& entries, Eigen::Index stride,
                                     const Points& right, double (*result)[3][panel])
@@ -120,7 +121,7 @@ struct Kernel : sheetmorph::HWY_NAMESPACE::LaneFunctions
     }
 };
 
-// \param rest  none: a live product
+// \param rest  nullptr for a live product
 template <typename Remainder>
 void multiply(const float* first, const Remainder* rest, const Points& right, Points& result)
 {
@@ -164,15 +165,16 @@ double power_of_bits(std::int32_t bits)
     return power;
 }
 
-// Both keep `rest`, what an entry is beyond the float `most`, and return what rounding leaves of
-// it.
+// Both store `rest`, the difference between an entry and the float `most`, and return the rounding
+// error.
 double keep(double rest, float /*most*/, float& remainder)
 {
     remainder = static_cast<float>(rest);
-    return 0.0;  // nothing beside the rounding of a product
+    return 0.0;  // negligible against the rounding of a product
 }
 
-// Divides by no unit: the bits of a power of two are those of its inverse, turned round.
+// Avoids a division: the exponent bits of a power of two, subtracted from those of 1 squared, are
+// those of its inverse.
 double keep(double rest, float most, std::int16_t& remainder)
 {
     constexpr std::int32_t inverse_bits = 0x7f000000;
@@ -207,8 +209,8 @@ PanelRows<Remainder>::PanelRows(const Weights& rows) : PanelRows(rows.rows(), ro
     set(0, rows);
 }
 
-// The next remainder of a row takes on what rounding leaves of one: a product with numbers that
-// vary little from entry to entry is exacter than the entries.
+// The next remainder of a row absorbs the rounding error of the one before. A product with numbers
+// that vary little from entry to entry is then more exact than the entries.
 template <typename Remainder>
 void PanelRows<Remainder>::set(Eigen::Index first, const Weights& rows)
 {

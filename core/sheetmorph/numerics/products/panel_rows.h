@@ -10,22 +10,21 @@
 namespace sheetmorph::numerics
 {
 
-//! A dense matrix (r, k) that is multiplied by three columns again and again: eight rows stand side
-//! by side, so that no sum runs across a register. A live product reads a float of each entry, an
-//! exact one its remainder too.
+//! A dense matrix (r, k) that is often multiplied by three columns. Eight rows are stored side by
+//! side, so that no sum runs across a register. A live product reads a float of each entry, an
+//! exact product its remainder too.
 //! \tparam Remainder  float: entries are exact to 2^-48 of their size; std::int16_t: to 2^-39 of
-//! the
-//!                    largest of their row, in three quarters of the memory
+//! the largest entry of their row, in three quarters of the memory
 template <typename Remainder>
 class PanelRows
 {
 public:
-    //! Zeros.
+    //! A matrix of zeros.
     explicit PanelRows(Eigen::Index rows = 0, Eigen::Index columns = 0);
 
     explicit PanelRows(const Weights& rows);
 
-    //! Replaces the rows from `first` on, a multiple of 8.
+    //! Replaces the rows from `first`, a multiple of 8, on.
     void set(Eigen::Index first, const Weights& rows);
 
     Eigen::Index rows() const { return rows_; }

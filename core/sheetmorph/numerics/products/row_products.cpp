@@ -11,10 +11,10 @@ namespace sheetmorph::numerics
 namespace
 {
 
-// Columns that are worth a thread.
+// Fewest columns worth a thread. Chosen, not measured: estimated at 10 ns each, 100 microseconds.
 constexpr Eigen::Index least_columns = 10000;
 
-// Columns of a matrix from `first` on, as many as there are and have room.
+// Packs columns of a matrix, from `first` on, as far as they exist and fit.
 template <typename Packed>
 void pack(const Eigen::MatrixXd& matrix, Eigen::Index first, Packed& packed)
 {
@@ -45,7 +45,7 @@ RowProducts::RowProducts(const SparseMatrix& rows, const Eigen::VectorXd& weight
 {
 }
 
-// f - B u of four columns.
+// f - B u for four columns.
 void RowProducts::take_off(const Eigen::MatrixXd& f, const Eigen::MatrixXd& u, Eigen::Index first)
 {
     pack(f, first, of_rows_);
@@ -58,7 +58,7 @@ void RowProducts::take_off(const Eigen::MatrixXd& f, const Eigen::MatrixXd& u, E
     }
 }
 
-// B^T diag(w) of four columns.
+// B^T diag(w) for four columns.
 void RowProducts::pull_packed()
 {
     of_columns_.resize(rows_.cols(), together);

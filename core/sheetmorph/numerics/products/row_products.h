@@ -6,9 +6,9 @@
 namespace sheetmorph::numerics
 {
 
-//! Products of a sparse matrix with few columns, four of them side by side in memory: one pass over
-//! the matrix for all four, where column by column is a pass each. Keeps its memory from call to
-//! call; every thread has its own.
+//! Products of a sparse matrix with few columns, four of them side by side in memory. One pass over
+//! the matrix then serves all four. Keeps its memory from call to call, so every thread needs its
+//! own.
 class RowProducts
 {
 public:
@@ -26,7 +26,7 @@ public:
                                  const SparseMatrix& basis);
 
 private:
-    static constexpr int together = 4;
+    static constexpr int together = 4;  // from AVX2: doubles of a register
     using Packed = Eigen::Matrix<double, Eigen::Dynamic, together, Eigen::RowMajor>;
 
     void take_off(const Eigen::MatrixXd& f, const Eigen::MatrixXd& u, Eigen::Index first);
@@ -37,7 +37,7 @@ private:
     Packed of_rows_, of_columns_;
 };
 
-//! offset + S y, (n, k), for S with an entry 1 a row at most.
+//! offset + S y, (n, k), for S with at most one entry 1 per row.
 Eigen::MatrixXd expanded(const SparseMatrix& basis, const Eigen::MatrixXd& y,
                          const Eigen::MatrixXd& offset);
 

@@ -11,11 +11,12 @@ namespace sheetmorph::numerics
 namespace
 {
 
-// Rows of the basis found at a time: a multiple of the rows of a tile of a dense product.
+// Rows of the basis found at a time. From dense_products.cpp: a multiple of the rows of a tile.
 constexpr Eigen::Index block = 24;
 
-// Every row is in this many sums. There are more sums than the rank can be, so that no direction is
-// lost by chance.
+// Every row enters this many random sums: a sparse sign sketch, for which Martinsson and Tropp,
+// Randomized Numerical Linear Algebra, 2020, section 9.2, recommend 8. There are more sums than the
+// rank can be, so that no direction is lost by chance.
 constexpr int sums_of_row = 8;
 constexpr Eigen::Index spare = 2 * block;
 
@@ -62,7 +63,7 @@ public:
     //! \returns whether the basis had room for them
     bool extend(Weights& rows, double least)
     {
-        for (int time = 0; time < 2; ++time)  // the first time leaves rounding of the projection
+        for (int time = 0; time < 2; ++time)  // the second pass removes the rounding of the first
             project_out(rows);
         const Eigen::Index before = count_;
         for (Eigen::Index row = 0; row < rows.rows(); ++row)
@@ -90,7 +91,7 @@ private:
         add_product(products, columns_.leftCols(count_), -1.0, rows);
     }
 
-    Weights rows_, columns_;  // the same, transposed
+    Weights rows_, columns_;  // and its transpose
     Eigen::Index count_ = 0;
 };
 

@@ -15,15 +15,16 @@ namespace
 {
 
 constexpr Eigen::Index block_rows = ResponseRows::count;
-constexpr float largest_narrow = 32767.0F;
+constexpr float largest_narrow = 32767.0F;  // from the format: the largest std::int16_t
 
-// By how much the steps of a narrow field may miss, in units of the tolerances.
+// Largest error of a field in steps of 16 bits, in units of the tolerances. Chosen: a quarter of
+// the tolerance, so that the error of the fields themselves, up to one, still dominates.
 constexpr double narrow_miss = 0.25;
 
-// Rows whose patches are worth a range of their own: some 30 microseconds.
+// Rows of a range. Chosen: they take about 30 microseconds, as long as waking a thread.
 constexpr Eigen::Index least_rows = 8000;
 
-// Steps of 16 bits for a field, or 0 if they are too coarse for the columns that it is blended to.
+// Step of a field in 16 bits, or 0 if it would be too coarse for the columns.
 float narrow_step(const ResponseFields::Patch& patch, Eigen::Index field,
                   const Eigen::VectorXd& tolerances)
 {
@@ -107,7 +108,8 @@ void ResponseBasis::pack(const ResponseFields::Patch& patch, const Eigen::Vector
     places_.back().felt_count = static_cast<int>(felt_.size() - places_.back().felt);
 }
 
-// Through a buffer that stays in the nearest cache: rows of a patch are anywhere in the mesh.
+// Uses a buffer that stays in the first cache, because the rows of a patch are anywhere in the
+// mesh.
 void ResponseBasis::add_patch(std::size_t patch, const Points& start,
                               const Coefficients& coefficients, Points& result) const
 {

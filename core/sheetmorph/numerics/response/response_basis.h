@@ -7,9 +7,9 @@
 namespace sheetmorph::numerics
 {
 
-//! Displacements that are linear in a few numbers: u = Phi c with Phi (n, k) tall and c (k, 3),
-//! laid out so that a product reads it once, front to back, as fast as the memory gives it. Fields
-//! that count little are kept in 16 bits, the others in float32.
+//! Displacements that are linear in a few numbers: u = Phi c with a tall Phi (n, k) and c (k, 3). A
+//! product reads Phi once, front to back, at the bandwidth of the memory. Fields of little
+//! influence are stored in 16 bits, the others in float32.
 class ResponseBasis
 {
 public:
@@ -23,11 +23,11 @@ public:
     Eigen::Index rows() const { return rows_; }
     Eigen::Index columns() const { return columns_; }
 
-    //! Of memory.
+    //! Memory in bytes.
     double bytes() const;
 
 private:
-    struct Run  // rows that are neighbours in their numbers, too
+    struct Run  // rows with consecutive numbers
     {
         int first, count;
     };

@@ -15,22 +15,25 @@ namespace sheetmorph::numerics
 namespace
 {
 
-// Patches are as large as keeps their shares below a quarter of their fields, about.
+// Size of patches. Chosen so that their shares take less than about a quarter of the memory of
+// their fields.
 constexpr Eigen::Index columns_a_block = 12;
 constexpr Eigen::Index fewest_blocks = 2;
 
-// Few columns are read faster in the order of the numbering, where that goes from neighbour to
-// neighbour: steps of so many mean spacings at most.
+// Up to few_columns, rows are read faster in the order of the numbering if that goes from neighbour
+// to neighbour: mean step, in mean spacings, at most near_steps. A random order has steps of about
+// half the size, hundreds of spacings; a mesh numbered row by row has one. Chosen between the two.
 constexpr Eigen::Index few_columns = 48;
 constexpr double near_steps = 4.0;
 
-// Of a column's largest entry: less than float32 can tell.
+// Relative to a column's largest entry. From float32, whose rounding is 6e-8.
 constexpr double rounding = 1e-7;
 
-// In units of the tolerances: a column that moves a patch by less is not felt there.
+// In units of the tolerances. Chosen: a column that moves a patch by a tenth of its tolerance does
+// not need a field there.
 constexpr double unfelt = 0.1;
 
-// Rows whose patches are worth a range of their own.
+// Rows of a range. Chosen, not measured.
 constexpr Eigen::Index least_rows = 2000;
 
 bool goes_by_neighbours(const Points& places)
@@ -43,8 +46,8 @@ bool goes_by_neighbours(const Points& places)
     return length <= near_steps * size * std::sqrt(static_cast<double>(steps));
 }
 
-// Takes off `wanted` what the fields (rows, f) blend to, twice, since in float32 they are not quite
-// orthonormal; adds how to the first rows of `shares`.
+// Subtracts from `wanted` its projection on the fields (rows, f), twice, because in float32 they
+// are not quite orthonormal. Adds the coefficients to the first rows of `shares`.
 void take_off(const Eigen::MatrixXd& fields, Eigen::MatrixXd& wanted, Eigen::MatrixXd& shares)
 {
     for (int pass = 0; pass < 2 && fields.cols() > 0; ++pass)
@@ -55,9 +58,9 @@ void take_off(const Eigen::MatrixXd& fields, Eigen::MatrixXd& wanted, Eigen::Mat
     }
 }
 
-// The column that misses most becomes a field, until none misses by more than one (columns are in
-// units of their tolerances) or than their rounding in float32. As many fields as rows miss
-// nothing.
+// Adds fields until no column has an error above one (columns are in units of their tolerances) or
+// above its rounding in float32. Each time, the column with the largest error becomes a field. As
+// many fields as rows leave no error.
 void extend(ResponseFields::Patch& patch, const Eigen::MatrixXd& columns,
             const Eigen::VectorXd& units)
 {

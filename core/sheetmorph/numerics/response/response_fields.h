@@ -6,9 +6,10 @@
 namespace sheetmorph::numerics
 {
 
-//! Tall columns Phi (n, k), k growing, in little memory: rows near each other of smooth columns are
-//! nearly blends of a few fields, so every patch of rows keeps only those and how the columns blend
-//! them. Patches are cut in space, so nothing depends on how rows are numbered.
+//! Tall columns Phi (n, k), with growing k, in little memory. On rows near each other, smooth
+//! columns are nearly combinations of a few fields. So every patch of rows stores only those fields
+//! and the coefficients of the columns. Patches are cut in space, so nothing depends on the
+//! numbering of the rows.
 class ResponseFields
 {
 public:
@@ -23,13 +24,13 @@ public:
 
     ResponseFields() = default;
 
-    //! Without columns.
-    //! \param places   (n, 3) where the rows are
-    //! \param columns  about how many there will be: many are worth larger patches
+    //! Has no columns yet.
+    //! \param places   (n, 3) positions of the rows
+    //! \param columns  expected number of columns; many justify larger patches
     explicit ResponseFields(const Points& places, Eigen::Index columns = 0);
 
-    //! Further columns from (n, j). Rows of zeros stay zeros.
-    //! \param tolerances  (j) by how much an entry may miss; relative rounding of 1e-7 comes on top
+    //! Appends columns (n, j). Rows of zeros stay zeros.
+    //! \param tolerances  (j) largest error of an entry; relative rounding of 1e-7 adds to it
     void append(const Eigen::MatrixXd& columns, const Eigen::VectorXd& tolerances);
 
     //! Phi c, (n, 3).
@@ -41,18 +42,18 @@ public:
     Eigen::Index rows() const { return static_cast<Eigen::Index>(order_.size()); }
     Eigen::Index columns() const { return tolerances_.size(); }
 
-    //! Ascending.
+    //! The rows of a patch, ascending.
     VertexIds rows_of(std::size_t patch) const;
     Eigen::Index rows_a_patch() const { return rows_a_patch_; }
     const std::vector<Patch>& patches() const { return patches_; }
     const Eigen::VectorXd& tolerances() const { return tolerances_; }
 
-    //! Of memory.
+    //! Memory in bytes.
     double bytes() const;
 
 private:
-    VertexIds order_;  // the rows, a patch after the other
-    VertexIds place_;  // of every row in the order
+    VertexIds order_;  // rows, patch after patch
+    VertexIds place_;  // position of every row in the order
     Eigen::Index rows_a_patch_ = 1;
     Eigen::VectorXd tolerances_;
     std::vector<Patch> patches_;

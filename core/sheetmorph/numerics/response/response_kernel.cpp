@@ -21,7 +21,8 @@ using Floats = hn::CappedTag<float, 16>;
 using Lanes = hn::Vec<Floats>;
 constexpr int width = static_cast<int>(hn::MaxLanes(Floats()));
 
-// Nine sums are under way at once: enough to hide how long one multiply-add takes.
+// From the processor: it starts two multiply-adds per cycle and ends each after four, so eight
+// independent sums keep it busy. Three vectors of x, y and z are nine.
 constexpr int vectors = 3;
 
 using Blended = float[ResponseProduct::most_fields][3];
@@ -37,7 +38,7 @@ HWY_INLINE void add_column(const float* share, const double* coefficients,
                        hn::Set(Group(), static_cast<float>(coefficients[axis])), sums[axis]);
 }
 
-// shares * coefficients: two sums an axis hide how long one takes.
+// shares * coefficients. Two sums per axis hide the latency of an addition.
 HWY_INLINE void blend(const ResponseProduct& work, Blended& blended)
 {
     constexpr int lanes = ResponseProduct::lanes;
@@ -84,7 +85,7 @@ HWY_INLINE void store(const Lanes (&sums)[3], double* result)
         hn::StoreU(hn::PromoteTo(Doubles(), hn::LoadU(half, rows + k)), Doubles(), result + k);
 }
 
-// Rows `first` .. of one block.
+// Multiplies rows of one block, from `first` on.
 HWY_INLINE void multiply_rows(const ResponseProduct& work, const Blended& blended, long block,
                               int first)
 {

@@ -13,9 +13,11 @@ namespace sheetmorph::recognise
 namespace
 {
 
+// From geometry: fewer vertices do not span an area, and their triangles are added.
 constexpr std::size_t fewest = 3;
 
-// A vertex within this many reaches of the other part can connect two touching vertices.
+// A vertex within this many reaches of the other part can connect two touching vertices. Chosen:
+// between two touching vertices of a bent flange, the gap may be a few times as wide.
 constexpr double nearly = 3.0;
 
 class Clusterer

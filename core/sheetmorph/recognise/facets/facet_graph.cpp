@@ -24,7 +24,8 @@ namespace
 constexpr int none = -1;
 
 // At an edge with more sheets, none continues across it. Two sheets continue into each other if
-// they bend by at most this, radians.
+// they bend by at most straight_on, radians. Chosen: 10 degrees, so that a sheet welded to a bend
+// leaves it whole; 12 sheets are 66 pairs to compare, and real edges have four.
 constexpr int most_sheets = 12;
 constexpr double straight_on = 0.17;
 

@@ -17,26 +17,30 @@ namespace
 {
 
 constexpr int none = -1;
-// Total turn, radians: less is a wavy flat, more is a tube.
+// Total turn, radians. Chosen: below 5 degrees it is a wavy flat; a hem turns by 180 degrees, and
+// more than 200 are a tube.
 constexpr double least_turn = 0.08;
 constexpr double most_turn = 1.1 * pi;
 
-// Cosine between the axis and an edge at which the bend ends.
+// Cosine between the axis and an edge at which the bend ends. Chosen: 11 degrees, because meshers
+// place vertices on the ends of a bend but edges of triangles may lean.
 constexpr double along_axis = 0.98;
 
-// at_end: largest distance of an end edge from the end, relative to the turn. least_flat: smallest
-// length of end edges that a flat adjoins, relative to the length.
+// Chosen. at_end: largest distance of an end edge from the end, relative to the turn; a bend of ten
+// facets still has its last one there. least_flat: smallest length of end edges that a flat
+// adjoins, relative to the length; the rest may be cut out.
 constexpr double at_end = 0.1;
 constexpr double least_flat = 0.5;
 
-// on_cylinder: largest distance of the strip's vertices from the cylinder, relative to its radius.
-// along_surface: smallest cosine between a facet's normal and the cylinder's (30 degrees).
+// Largest distance of the strip's vertices from the cylinder, relative to its radius. Chosen: ten
+// times below FeatureTolerances::surface, because the vertices of a drawn bend lie on it and those
+// of the adjacent flats do not.
 constexpr double on_cylinder = 1e-3;
-constexpr double along_surface = 0.866;
 
-// Criteria for the two skins of one bend: cosine between their axes; distance of the axes, relative
-// to the thickness; difference of the turns, relative to the larger turn; overlap along the axis,
-// relative to the length.
+// Criteria for the two skins of one bend. Chosen: their axes are parallel to 1.8 degrees; distance
+// of the axes, relative to the thickness, and difference of the turns, relative to the larger one,
+// both 15 %, because meshes of the two skins differ; overlap along the axis, relative to the
+// length, 80 %, because reliefs may shorten one.
 constexpr double parallel = 0.9995;
 constexpr double off_axis = 0.15;
 constexpr double other_turn = 0.15;

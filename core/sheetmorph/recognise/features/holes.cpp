@@ -21,16 +21,24 @@ namespace
 
 constexpr int none = -1;
 
-// Largest share of the outline's area that the wall of a collar or of a through hole may cover.
+// Largest share of the outline's area that the wall of a collar or of a through hole may cover,
+// seen along the axis. From geometry: a wall along the axis covers none, the bottom of a blind hole
+// all. Chosen: a ledge in a hole may leave 15 % open; a collar may narrow to 70 % of its radius
+// (half the area).
 constexpr double collar_cover = 0.5;
 constexpr double through_cover = 0.85;
 
-// Minimum height of a collar, relative to the scatter of a measured mesh. A lower one is a bent
-// rim.
+// Minimum height of a collar, relative to the scatter of a measured mesh. From the normal
+// distribution: the scatter of a rim spans six standard deviations. A lower one is a bent rim.
 constexpr double lowest_collar = 6.0;
 
+// Radii of a hole within which its smooth collar ends. From geometry: a collar drawn with a radius
+// of up to 0.3 of the hole's ends there.
+constexpr double beyond_collar = 1.3;
+
 // Largest deviation from a plane of a rim on a curved sheet, relative to the square root of its
-// area.
+// area. From geometry: a hole as wide as a tube deviates by half its radius, 0.28 of that root.
+// Chosen: twice as much.
 constexpr double most_bulge = 0.6;
 
 class RimFinder
@@ -45,7 +53,7 @@ public:
           borders_(graph, free_loops_)
     {
         for (const RegionLoop& loop : loops_)
-            if (loop.inwards < -0.35)
+            if (loop.inwards < -clearly_inwards)
                 rims_.push_back(&loop);
     }
 
@@ -59,7 +67,7 @@ public:
             if (loop.is_free())
                 take_free(loop);
         for (const RegionLoop& loop : loops_)
-            if (!loop.is_free() && loop.inwards > 0.35)
+            if (!loop.is_free() && loop.inwards > clearly_inwards)
                 take_edge(loop);
         return std::move(features_);
     }
@@ -160,6 +168,7 @@ bool RimFinder::has_merged(const Feature& feature, const HoleWall& wall)
     Feature& first = features_[*other];
     const double depth = std::abs((feature.center - first.center).dot(first.axis));
     const std::size_t before = first.rims.size();
+    // Chosen: rims of one radius differ by rounding, and the first one stays.
     const bool is_narrower = feature.width < (1.0 - 1e-6) * first.width;
     if (is_narrower || (first.kind == FeatureKind::hole && feature.kind != FeatureKind::hole))
     {
@@ -220,8 +229,8 @@ void RimFinder::take_walled(const RegionLoop& loop, const WallTracer& tracer)
     features_.push_back(std::move(*feature));
 }
 
-// Whether most of the loop's region is farther than 1.3 radii from its axis, as the sheet around a
-// smooth collar is.
+// Whether most of the loop's region is farther than beyond_collar radii from its axis, as the sheet
+// around a smooth collar is.
 bool RimFinder::spreads_beyond(const RegionLoop& loop, double radius) const
 {
     double beyond = 0.0;
@@ -232,7 +241,7 @@ bool RimFinder::spreads_beyond(const RegionLoop& loop, double radius) const
             const Vector3 off = graph_.centroid(t) - loop.center;
             const double away = (off - loop.normal.dot(off) * loop.normal).norm();
             all += graph_.area(t);
-            beyond += away > 1.3 * radius ? graph_.area(t) : 0.0;
+            beyond += away > beyond_collar * radius ? graph_.area(t) : 0.0;
         }
     return beyond > 0.5 * all;
 }
@@ -240,7 +249,7 @@ bool RimFinder::spreads_beyond(const RegionLoop& loop, double radius) const
 void RimFinder::take_free(const RegionLoop& loop)
 {
     std::optional<Feature> feature = outlined(loop);
-    if (!feature && loop.inwards < -0.35)
+    if (!feature && loop.inwards < -clearly_inwards)
         feature = plain_hole(loop);
     if (!feature)
         return;
@@ -252,8 +261,8 @@ void RimFinder::take_free(const RegionLoop& loop)
         }
     const bool is_round = feature->kind == FeatureKind::round_hole;
     const bool is_hole =
-        (loop.inwards < -0.35
-         || (loop.inwards < 0.35 && is_round && spreads_beyond(loop, feature->radius)))
+        (loop.inwards < -clearly_inwards
+         || (loop.inwards < clearly_inwards && is_round && spreads_beyond(loop, feature->radius)))
         && !borders_.has(loop);
     if (!is_hole && is_round)
         feature->kind = FeatureKind::round_edge;

@@ -11,12 +11,14 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// Exceeds every bend (pi), so that regions are connected pieces; radians.
+// Radians. From geometry: above every bend (pi), so that regions are connected pieces.
 constexpr double any_bend = 4.0;
 
-// Minimum share of the enclosed area that a closing piece covers.
+// Minimum share of the enclosed area that a closing piece covers. Chosen: it closes the loop if
+// most of it is covered.
 constexpr double least_floor = 0.5;
 
+// Steps along a loop. Chosen: the extent of a circle of 128 points is exact to 0.03 %.
 constexpr std::size_t most_places = 128;
 
 // Largest distance between two vertices, from a sample of up to 128 steps, mm.

@@ -16,7 +16,9 @@ namespace
 
 constexpr int none = -1;
 
-// Area over squared perimeter; a loop with less is a slit. A circle has 1 / (4 pi).
+// Area over squared perimeter; a loop with less is a slit. From geometry: a circle has 1 / (4 pi),
+// a rectangle w / (4 l): 1/600 as wide as long. Chosen below the narrowest laser cut, 0.2 mm over
+// 100 mm.
 constexpr double slimmest = 4e-4;
 
 // The mesh cut along the borders of its regions: every region has its own vertices.

@@ -23,6 +23,11 @@ struct RegionLoop
     bool is_free() const { return free_edges == static_cast<int>(vertices.size()); }
 };
 
+//! RegionLoop::inwards beyond which a region lies clearly inside its loop, or clearly around it.
+//! From geometry: the sine of the angle between region and axis. Chosen: a collar or a wall that
+//! leans by 20 degrees is still a collar.
+constexpr double clearly_inwards = 0.35;
+
 //! The loops around all regions, ordered by region and first vertex, without slits of zero area.
 //! \param labels  (m) the region of every triangle
 std::vector<RegionLoop> region_loops(const FacetGraph& graph, const std::vector<int>& labels);

@@ -18,20 +18,22 @@ namespace
 constexpr int none = -1;
 
 // Of a flange: largest width and smallest free border, relative to the length of its fold; largest
-// area, relative to the part.
+// area, relative to the part. Chosen: a flange is a narrow strip along a fold, free on its far
+// side, and less than a third of the part; otherwise it is a wall of the part.
 constexpr double widest = 0.6;
 constexpr double least_free = 0.8;
 constexpr double largest = 0.35;
 
-// A sharper bend (radians) is a fold even if it is below the crease angle: in a coarse mesh, few
-// rows of facets form a bend.
+// A sharper bend (radians, 17 degrees) is a fold even if it is below the crease angle. From
+// geometry: in a coarse mesh, five rows of facets form a right angle.
 constexpr double folded = 0.3;
 
-// Minimum area of a plane that may have beads, relative to the part's area.
+// Minimum area of a plane that may have beads, relative to the part's area. Chosen: ten times
+// FeatureTolerances::smallest_area, which a bead needs itself.
 constexpr double least_base = 0.04;
 
-// Minimum share of its outline that a raised region covers, seen from above; with less it is a
-// hole.
+// Minimum share of its outline that a raised region covers, seen from above. Chosen: with less than
+// a half, most of it is open and it is a hole.
 constexpr double least_cover = 0.5;
 
 // A region between creases and bends.
@@ -138,7 +140,7 @@ std::optional<Feature> raised_inside(const FacetGraph& graph, const RegionLoop& 
     if (wall.triangles.empty() || wall.leads_out || wall.covered < least_cover)
         return std::nullopt;
     const fitting::Outline outline =
-        fitting::fit_outline(graph.mesh().points()(loop.vertices, Eigen::indexing::all), 0.1);
+        fitting::fit_outline(graph.mesh().points()(loop.vertices, Eigen::indexing::all));
     Feature feature;
     feature.kind = raised_kind(outline.length, outline.width);
     feature.center = outline.center;
@@ -185,7 +187,7 @@ std::vector<Feature> find_embosses(const FacetGraph& graph,
             labels[t] = 0;
         const WallTracer tracer(graph, labels, {});
         for (const RegionLoop& loop : region_loops(graph, labels))
-            if (loop.region == 0 && loop.inwards < -0.35 && !loop.is_free()
+            if (loop.region == 0 && loop.inwards < -clearly_inwards && !loop.is_free()
                 && loop.area >= tolerances.smallest_area * graph.total_area())
                 if (auto raised = raised_inside(graph, loop, tracer.behind(loop)))
                     found.push_back(std::move(*raised));

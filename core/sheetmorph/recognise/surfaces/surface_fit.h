@@ -7,6 +7,11 @@
 namespace sheetmorph::recognise
 {
 
+//! Smallest cosine between a triangle's normal and that of its curved surface, 30 degrees. From
+//! geometry: a facet deviates by half the bend to the next one at most, and smooth_angle of
+//! FeatureTolerances allows 52 degrees between facets.
+constexpr double along_surface = 0.866;
+
 //! The sample of triangles that a surface is fitted to.
 fitting::FacetSample sample_of(const FacetGraph& graph, const std::vector<int>& triangles);
 

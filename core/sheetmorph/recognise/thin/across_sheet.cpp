@@ -19,28 +19,30 @@ using mesh::Hit;
 namespace
 {
 
-// Tolerance of equal distances, relative to the distance plus a thousandth of the size.
+// Tolerance of equal distances, relative to the distance plus a thousandth of the size. From files
+// with seven digits, whose rounding must not choose between points.
 constexpr double equally_near = 1e-7;
 
-// A ray that ends within this many thicknesses has reached the other skin of its own sheet.
-constexpr double farthest_skin = 1.8;
-
 // Offsets of ray origins towards the facet's centroid, in thicknesses: one close to the point, one
-// beyond the corner of a sharp fold. At the outer edge of a fold, the other flange lies behind the
-// point instead of the other skin.
+// beyond the corner of a sharp fold. From geometry: at the outer edge of a fold by 90 degrees, the
+// other flange lies behind the first thickness instead of the other skin. Chosen: a fifth more.
 constexpr double beside[] = {0.05, 1.2};
 
 // One ray is enough for all facets of a plane. At a fold, however flat, each plane needs its own.
+// From files with seven digits: normals of a plane differ by about 1e-6 radians (1 - 1e-6^2 / 2).
 constexpr double alike = 1.0 - 1e-12;
 
-// Depth of the ray origin below the surface, relative to the size of the mesh.
+// Depth of the ray origin below the surface, relative to the size of the mesh. Chosen between the
+// rounding of a place on a facet (1e-16) and the thickness of the thinnest sheets (1e-4).
 constexpr double first_step = 1e-7;
 
 // A skin reached through the material faces away from the start of the walk: smallest cosine
-// between its normal and the direction from the start.
+// between its normal and the direction from the start. Chosen below 0: at a point beside the start,
+// rounding and facets turn the cosine by up to half a degree.
 constexpr double from_behind = -0.01;
 
-// A walk ends at this many times the distance of the nearest point that faces the start.
+// A walk ends at this many times the distance of the nearest point that faces the start. Chosen
+// above farthest_skin, with a margin for facets that the walk enters from a corner.
 constexpr double far_enough = 3.0;
 
 mesh::TriangleCorners corners_of(const Points& points, const Triangles& triangles, int facet)

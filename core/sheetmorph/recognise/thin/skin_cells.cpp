@@ -13,6 +13,8 @@ namespace sheetmorph::recognise
 namespace
 {
 
+// Range of a skin, in typical thicknesses. From geometry: at the edge of a fold by 90 degrees the
+// skins are sqrt(2) = 1.41 apart. Chosen: forming may halve the thickness.
 constexpr double thinnest_skin = 0.5;
 constexpr double thickest_skin = 1.6;
 

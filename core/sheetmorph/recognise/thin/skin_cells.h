@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/recognise/thin/inward_probes.h"
 
 namespace sheetmorph::recognise
 {
 
-//! A sharper bend separates a skin from a wall, radians (30 degrees).
-constexpr double crease = 0.5235987755982988;
+//! A sharper bend separates a skin from a wall, radians. Chosen: walls stand across skins (90
+//! degrees); the facets of a coarse bend turn by up to 30 degrees.
+constexpr double crease = 30.0 * degree;
 
-//! A step in a skin up to this many thicknesses is a ledge and not a wall.
+//! A step in a skin up to this many thicknesses is a ledge and not a wall. Chosen: engravings and
+//! tolerances of thickness are 5 %; walls have the whole thickness.
 constexpr double highest_ledge = 0.05;
 
 //! Two cells that face each other through the material.

@@ -6,6 +6,7 @@
 #include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/mesh/search/picking.h"
 #include "sheetmorph/mesh/topology/submesh.h"
+#include "sheetmorph/recognise/thin/thin_solid.h"
 
 #include <algorithm>
 #include <array>
@@ -18,17 +19,19 @@ namespace sheetmorph::recognise
 namespace
 {
 
+// In thicknesses; from skin_cells.cpp: a wall at the edge of a fold reaches sqrt(2) of them.
+// Measured: at half of it walls are lost (six tests of ThinSolid and ThicknessGauge).
 constexpr double reach_of_walls = 1.6;
-constexpr double thickest_of_skin = 1.8;  // above sqrt(3): the corner of a folded box
 
 // A facet whose inward normal deviates by more than 60 degrees from the direction to the other skin
-// runs along that direction.
+// runs along that direction. Chosen: a chamfer by 45 degrees belongs to its skin. Measured: at
+// twice the cosine a wall takes in facets of the skins (the two tests of farthest_skin).
 constexpr double across = 0.5;
 
-constexpr int on_both = 2;
+constexpr int on_both = 2;  // chosen: no side, which is +1 or -1
 constexpr int none = -1;
 
-constexpr Eigen::Index least_facets = 50;  // fewest worth a thread
+constexpr Eigen::Index least_facets = 50;  // fewest for a thread; chosen, not measured
 
 class Walls
 {
@@ -172,7 +175,7 @@ private:
     {
         result_.side[at(facet)] = sign;
         const mesh::Hit other = nearest(facet, -sign, graph_.centroid(facet));
-        result_.is_lump[at(facet)] = other.distance > thickest_of_skin * thickness(facet);
+        result_.is_lump[at(facet)] = other.distance > farthest_skin * thickness(facet);
     }
 
     // Keeps only the ledges whose facets are all low, because every wall has low facets along its

@@ -13,8 +13,8 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// Minimum mean cosine between the normals of a hole's wall and the direction to its middle. A slot
-// 50 times as long as wide still exceeds it.
+// Minimum mean cosine between the normals of a hole's wall and the direction to its middle. From
+// geometry: a slot 50 times as long as wide still exceeds it.
 constexpr double looks_inwards = 0.02;
 
 // The facets of every set, ordered by the root of the set.

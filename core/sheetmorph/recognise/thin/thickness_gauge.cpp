@@ -17,9 +17,9 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// In thicknesses. At rest, a nearest point outside this range is not on the opposite skin.
+// In thicknesses. At rest, a nearest point outside the range up to farthest_skin is not on the
+// opposite skin. Chosen: nearer points are on the wall of a hole or on a ledge.
 constexpr double nearest = 0.3;
-constexpr double farthest = 1.8;
 
 std::vector<char> flags(const mesh::TriangleMesh& mesh, const std::vector<VertexIds>& pieces)
 {
@@ -82,7 +82,7 @@ private:
     {
         const std::vector<mesh::Hit> places = across_.places(vertex, other);
         const double thickness = across_.thickness(vertex);
-        if (places.empty() || places.front().distance > farthest * thickness
+        if (places.empty() || places.front().distance > farthest_skin * thickness
             || places.front().distance < nearest * thickness)
             return {};
         const Vector3 point = positions_.row(vertex).transpose();

@@ -19,9 +19,6 @@ namespace sheetmorph::recognise
 namespace
 {
 
-// In typical thicknesses. A ray that ends beyond this has not reached the other skin.
-constexpr double farthest_skin = 1.8;
-
 // Criteria for the main skin of a component, in order; the first that differs decides.
 struct Candidate
 {
@@ -30,6 +27,7 @@ struct Candidate
 
     bool is_better_than(const Candidate& other) const
     {
+        // Chosen: areas that differ by less are those of symmetric skins.
         const double rounding = 1e-9 * (area + other.area);
         if (std::abs(steps - other.steps) > rounding)
             return steps < other.steps;

@@ -9,6 +9,13 @@
 namespace sheetmorph::recognise
 {
 
+//! Distance through the material, in thicknesses, beyond which the opposite facet is not the other
+//! skin of the same sheet. From geometry: at the corner of a folded box, where three sheets meet,
+//! the two skins are sqrt(3) = 1.73 thicknesses apart. Measured: at half of it a fold without a
+//! radius leaves its skin (ThinSolid.AFinelyMeshedFoldWithoutRadiusStaysOnItsSkin); at twice, a
+//! boss is no lump (ThinSolid.ABossIsALumpWithItsFootOnBothSkins).
+constexpr double farthest_skin = 1.8;
+
 //! Where a facet or a vertex of a thin solid lies.
 enum class SolidSide : char
 {

@@ -29,6 +29,7 @@ struct EdgeSizes
 // Positions (0 to 1) of the cuts of an edge: equal steps of the integral of 1 / size.
 std::vector<double> even_cuts(const EdgeSizes& sizes)
 {
+    // Chosen: the midpoint rule integrates sizes that grow by 0.3 to better than 0.1 %.
     constexpr int steps = 256;
     std::array<double, steps + 1> passed{};
     for (int k = 0; k < steps; ++k)

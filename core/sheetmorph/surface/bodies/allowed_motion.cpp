@@ -29,6 +29,7 @@ Matrix3 twist_about(const Matrix3& rotation, const Vector3& axis)
     const Eigen::Quaterniond turn(rotation);
     const double along = turn.vec().dot(axis);
     const double length = std::hypot(turn.w(), along);
+    // From rounding: a shorter direction is none.
     if (length < 1e-12)
         return Matrix3::Identity();
     Eigen::Quaterniond twist;

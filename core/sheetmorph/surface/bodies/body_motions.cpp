@@ -96,6 +96,7 @@ Vector3 told_rotation(const PlacementInput& part, const SurfaceTargets& targets,
     if (turns_about_axis)
     {
         const Vector3& axis = part.constraints.features[at(body.restricted)].motion.direction;
+        // From the accuracy of 1e-9: the rotation is about the axis.
         if (log.cross(axis).norm() > 1e-9 * (1.0 + log.norm()))
             throw InvalidInput(feature.label()
                                + " turns about its axis only, but the pose prescribes a rotation "

@@ -13,7 +13,8 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Relative tolerance of equal distances to carriers; symmetric meshes have such pairs.
+// Relative tolerance of equal distances to carriers; symmetric meshes have such pairs. From files
+// with seven digits, whose rounding must not choose between them.
 constexpr double as_near = 1.0 + 1e-6;
 
 // The nearest carriers of each region, with equal weights per region.

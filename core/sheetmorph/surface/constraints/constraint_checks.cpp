@@ -35,6 +35,7 @@ void check_point(const PointConstraint& point, int triangle_count)
                                + std::to_string(triangle_count - 1) + ")",
                            "pick it again");
     const Vector3& weights = point.barycentric;
+    // From recipes with ten digits: weights that users write add up to 1 within 1e-9.
     if (!weights.allFinite() || std::abs(weights.sum() - 1.0) > 1e-9 || weights.minCoeff() < -1e-9)
         throw InvalidInput(what + ": its barycentric coordinates must be three numbers from 0 to 1 "
                                   "with the sum 1");

@@ -18,15 +18,31 @@ namespace
 {
 
 constexpr int none = -1;
-constexpr Eigen::Index block = 24;  // columns per substitution
+// Columns per substitution, a multiple of the right-hand sides of a register, and substitutions
+// before the memory is checked. Chosen, not measured.
+constexpr Eigen::Index block = 24;
 constexpr Eigen::Index blocks_at_once = 4;
-constexpr double most_bytes = 512.0 * 1048576;  // limit on the memory of responses: 512 MiB
-constexpr Eigen::Index few_slopes = 8;          // fewest worth a thread: some ten microseconds
-constexpr double few_numbers = 1e6;   // of responses computed in the constructor: milliseconds
-constexpr double miss_a_size = 5e-9;  // error of live responses, relative to the size
-constexpr double unfelt = 1e-10;    // relative to the stiffness of a rigid sheet; less is rounding
-constexpr double no_shift = 1e-12;  // relative to the size
-constexpr double least_pivot = 1e-5;  // relative to the stiffest: all rotations affect the energy
+// Limit on the memory of responses. Chosen: 512 MiB; a computer with 4 GiB has room for it.
+constexpr double most_bytes = 512.0 * 1048576;
+constexpr Eigen::Index few_slopes = 8;  // fewest worth a thread: some ten microseconds
+
+// Numbers of the responses that the constructor computes; more wait for the first drag. Chosen, not
+// measured: estimated at 10 ns a number, 10 ms.
+constexpr double few_numbers = 1e6;
+
+// Error of live responses, relative to the size. From the accuracy of a frame, 1e-6: 3 columns for
+// each of up to 60 features add up to it in the worst case.
+constexpr double miss_a_size = 5e-9;
+
+// Relative to the stiffness of a rigid sheet. From rounding: differences of such stiffnesses are
+// exact to 1e-16 times a condition of 1e6.
+constexpr double unfelt = 1e-10;
+
+// Relative to the size. From mesh::exactness(): a shorter shift is rounding.
+constexpr double no_shift = 1e-12;
+
+// Relative to the stiffest rotation, of the factor's diagonal. From `unfelt`, which is its square.
+constexpr double least_pivot = 1e-5;
 
 }  // namespace
 

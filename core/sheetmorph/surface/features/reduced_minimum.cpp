@@ -17,19 +17,54 @@ namespace
 {
 
 constexpr int none = -1;
+// Measured with a prototype on a strip with three holes: Newton takes 4 to 12 steps. Chosen far
+// above.
 constexpr int most_steps = 100;
-constexpr double smallest_step = 1e-14;  // radians, or relative to the size of the feature
-constexpr double largest_squared = 0.1;  // radians; below it convergence is quadratic
-constexpr double left_by_a_step = 10.0;  // limit of the error after a step, relative to its square
-constexpr double settled = 1e-9;         // radians; smaller steps that do not shrink are noise
-constexpr double unseen_gain = 1e-10;  // relative to the energy; a smaller gain is lost in rounding
-constexpr double widest_turn = 0.8;    // radians per step
-constexpr double unfelt = 1e-11;       // relative to the stiffest freedom; less has no effect
-constexpr double barely_convex = 1e-6;   // likewise; a Hessian convex with this shift is singular
-constexpr double first_shift = 0.02;     // likewise; first shift of an indefinite Hessian
-constexpr double left_by_rounds = 0.03;  // relative to the step squared; below Newton's error
-constexpr double lowest_share = 1e-9;    // relative to the step; rounding limits the CG error
-constexpr int most_rounds = 60;          // of conjugate gradients
+
+// Radians, or relative to the size of the feature. From rounding of a rotation: 50 units of 2e-16.
+constexpr double smallest_step = 1e-14;
+
+// Radians; below it convergence is quadratic. From the Taylor series of a rotation w: the
+// third-order term is |w|^3 / 6, a sixth of a percent of |w| at 0.1.
+constexpr double largest_squared = 0.1;
+
+// Limit of the error after a step, relative to its square. Chosen: the series alone gives 1/2; soft
+// freedoms enlarge it.
+constexpr double left_by_a_step = 10.0;
+
+// Radians; shorter steps that do not shrink are noise. From the accuracy that SheetMorph promises,
+// 1e-9 of the size.
+constexpr double settled = 1e-9;
+
+// Relative to the energy; a smaller gain is lost in rounding. Chosen: energies are differences of
+// sums over the sheet, which keep ten digits.
+constexpr double unseen_gain = 1e-10;
+
+// Radians per step. From the Taylor series: the quadratic model misses |w|^3 / 6, 0.09 at 0.8.
+constexpr double widest_turn = 0.8;
+
+// Relative to the stiffest freedom; less has no effect. From rounding: entries of the Hessian are
+// exact to 1e-16 times a condition of the sheet of 1e5.
+constexpr double unfelt = 1e-11;
+
+// Likewise; a Hessian that this shift makes convex is singular. Chosen: far above unfelt, and so
+// small that a true negative curvature exceeds it.
+constexpr double barely_convex = 1e-6;
+
+// Likewise; first shift of an indefinite Hessian. Chosen: it grows fourfold per attempt, so seven
+// attempts reach 100, which makes any scaled Hessian convex.
+constexpr double first_shift = 0.02;
+
+// Relative to the step squared: error that conjugate gradients leave. Chosen: below Newton's own
+// error, of the order of the square.
+constexpr double left_by_rounds = 0.03;
+
+// Relative to the step: rounding limits the error of conjugate gradients. From the condition of the
+// Hessian, below 1e7 near rest.
+constexpr double lowest_share = 1e-9;
+
+// Chosen: with more rounds, a dense factor is faster.
+constexpr int most_rounds = 60;
 
 // Scales that give all freedoms a similar stiffness; 0 for freedoms without stiffness.
 Eigen::VectorXd scales(const Expansion& at)
@@ -38,6 +73,7 @@ Eigen::VectorXd scales(const Expansion& at)
     const double largest = stiff.size() > 0 ? stiff.maxCoeff() : 0.0;
     return stiff.unaryExpr(
         [largest](double value)
+        // From doubles: a hundredth of the rounding of the largest stiffness.
         { return value > 1e-18 * largest && value > 0.0 ? 1.0 / std::sqrt(value) : 0.0; });
 }
 

@@ -17,7 +17,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Fewest vertices worth a thread.
+// Fewest vertices for a thread. Chosen, not measured.
 constexpr Eigen::Index least_blended = 2048;
 
 bool turns_sheet(const Turner& turner)
@@ -29,6 +29,8 @@ bool turns_sheet(const Turner& turner)
 // of the largest angle between field and feature (radians): a smooth step from 0 to 4.
 double hold(double angle)
 {
+    // Chosen: full stiffness before half a turn, where the rotation of a body becomes ambiguous,
+    // and none at the rotations of usual drags, so that a body keeps its six degrees of freedom.
     constexpr double begins = 75.0 / 180.0 * pi;
     constexpr double complete = 150.0 / 180.0 * pi;
     const double t = std::clamp((angle - begins) / (complete - begins), 0.0, 1.0);

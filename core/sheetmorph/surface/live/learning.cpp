@@ -17,6 +17,8 @@ namespace
 {
 
 // Columns per substitution. Large parts get fewer, so that the end of a drag does not have to wait.
+// Chosen: 12 fill the registers, 3 are one pose. Not measured: 2,000,000 entries are estimated at
+// 0.1 s.
 constexpr Eigen::Index most_together = 12;
 constexpr Eigen::Index fewest_together = 3;
 constexpr Eigen::Index entries_together = 2000000;

@@ -18,23 +18,28 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Preparing contacts with more vertices takes too long.
+// Limit on the vertices of contacts. Chosen, not measured: every snapshot prescribes all of them,
+// so the set-up grows with their number.
 constexpr std::size_t most_propagated = 5000;
 
-// Largest error of a frame's numbers as a combination of the snapshots, about radians.
+// Largest error of a frame's numbers as a combination of the snapshots, about radians. From the
+// accuracy of a frame, 1e-6 of the size (Exactness): radians become lengths up to the size, and a
+// quarter to a half of the limit goes here.
 constexpr double largest_miss = 4e-7;
 
-// Error of the fields per unit of a number, relative to the part's size.
+// Error of the fields per unit of a number, relative to the part's size. From the accuracy of a
+// frame, 1e-6: up to 50 numbers of about 1 add up to it in the worst case.
 constexpr double miss_a_size = 2e-8;
 
 // Fields converted between two checks for cancellation.
-constexpr Eigen::Index fields_at_once = 24;
+constexpr Eigen::Index fields_at_once = 24;  // chosen, not measured
 
-// Radians. Newton's error is of the order of the last step squared, hence below 1e-9.
+// Radians. From Newton's method: the error is of the order of the last step squared (at most ten
+// times, reduced_minimum.cpp), hence below 1e-9.
 constexpr double live_precision = 1e-5;
 
-// Bodies are not constrained if the bound on the field's variation around them is smaller
-// (turner_field.h).
+// Bound on the difference of logs around a body (turner_field.h) below which nothing constrains it.
+// From turner_field.cpp: constraints begin at 75 degrees. Logs are half angles, 0.65 radians there.
 constexpr double surely_not_held = 0.6;
 
 double largest(const Points& numbers)

@@ -14,7 +14,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Clean meshes need one or two.
+// Clean meshes need one or two. Chosen as in pose_solve.cpp.
 constexpr int most_refinements = 8;
 
 class BiharmonicRotationField : public RotationField

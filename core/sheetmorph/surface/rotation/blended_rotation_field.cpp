@@ -14,11 +14,11 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Limit on the entries of stored responses to single vertices. Up to this size, reading them is
-// faster than back-substitution.
+// Limit on the entries of stored responses to single vertices. Chosen, not measured: up to 0.8 MB,
+// reading them is faster than back-substitution.
 constexpr Eigen::Index most_kept = 100000;
 
-// Smoothstep reduces this weight to 3e-16, which is rounding.
+// From smoothstep, which makes 3 w^2 = 3e-16 of it: that is rounding.
 constexpr double least_weight = 1e-8;
 
 // Numbers all prescribed rotations. A vertex belongs to one source or to none.

@@ -13,8 +13,8 @@ namespace sheetmorph::surface
 namespace
 {
 
-constexpr std::size_t together = 48;  // groups per substitution
-constexpr Eigen::Index least_weighted = 2048;
+constexpr std::size_t together = 48;           // groups per substitution; chosen, not measured
+constexpr Eigen::Index least_weighted = 2048;  // fewest for a thread; chosen, not measured
 constexpr int none = -1;
 
 double smoothed(double weight, double faded)

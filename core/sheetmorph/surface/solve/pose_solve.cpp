@@ -20,12 +20,14 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Clean meshes converge after one or two; meshes with a few needles need more.
+// Clean meshes converge after one or two; meshes with a few needles need more. Chosen: each one
+// costs a back-substitution.
 constexpr int most_refinements = 8;
 
-// Limits for the final correction of the rotating bodies, in radians: already converged, converged
-// after one more step, acceptable at the end, and number of steps. The error after such a small
-// step is below its square and below the error of the responses.
+// Limits for the final correction of the rotating bodies, in radians. Already converged: from the
+// rounding of a rotation (1e-16) with a margin. Converged after one more step: the error left is
+// below its square, 1e-16. Acceptable at the end: the accuracy that SheetMorph promises. Number of
+// steps: chosen; the first one takes nearly all of the correction.
 constexpr double settled_turn = 1e-13;
 constexpr double small_turn = 1e-8;
 constexpr double found_turn = 1e-9;
@@ -36,6 +38,7 @@ void require_met_points(const PreparedSurface& part, const Eigen::MatrixXd& disp
 {
     const Eigen::VectorXd error = part.minimiser.constraint_error(displacements, wanted);
     const double reach = part.rest.size() + (wanted.size() ? wanted.cwiseAbs().maxCoeff() : 0.0);
+    // Exactness::live promises 1e-6 of the size.
     const double allowed =
         level == Exactness::exact ? mesh::exactness(part.rest.points(), reach) : 1e-6 * reach;
     Text missed("");

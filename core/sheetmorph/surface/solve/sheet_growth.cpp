@@ -14,7 +14,7 @@ namespace sheetmorph::surface
 namespace
 {
 
-constexpr double nearest = 1e-9;  // mm, avoids a division by zero
+constexpr double nearest = 1e-9;  // mm; chosen only to avoid a division by zero
 
 // Vertices that no size moves: all that are not free, borders, and the triangles of points.
 std::vector<char> held_vertices(const RotationFieldInput& input)

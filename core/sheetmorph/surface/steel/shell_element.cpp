@@ -13,11 +13,21 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Squared ratio of current to rest area below which a triangle resists a further loss of area.
+// Squared ratio of current to rest area below which a triangle resists a further loss of area, an
+// area of 87 %. Chosen: steel never loses so much, and St. Venant and Kirchhoff's energy is still
+// convex there (to 58 % of a length, see crushing()).
 constexpr double first_crushed = 0.75;
+
+// Relative to the elasticity of the sheet. Measured on one triangle under compression in one
+// direction: the least second derivative of the energy is -0.55 without this term, 0.39 at 0.05,
+// and from 0.125 on 0.69, the material's own at first_crushed. Chosen: twice that stiffness.
 constexpr double crush_stiffness = 0.25;
-constexpr double last_crushed = 0.03;  // ratio of areas below which the energy is a parabola
-constexpr double least_ratio = 1e-6;   // ratio of areas; limits the stress at zero area
+
+// Ratios of areas: below the first, the energy is a parabola; the second bounds the stress at zero
+// area. Chosen: a triangle with 3 % of its area has collapsed, and no converged answer has one. The
+// logarithm there is steeper than any step can follow.
+constexpr double last_crushed = 0.03;
+constexpr double least_ratio = 1e-6;
 
 int next(int corner)
 {

@@ -18,7 +18,7 @@ using Kind = ShellMover::Kind;
 
 constexpr int loose = -1;  // not part of a rigid object
 constexpr int ground = 0;  // fixed
-constexpr int kinds = 4;   // number of kinds of rigid objects, for unique indices
+constexpr int kinds = 4;   // of rigid objects, for unique indices; from the code below
 
 Vector3 row_of(const Points& points, int row)
 {

@@ -18,8 +18,8 @@ namespace
 
 using Kind = ShellMover::Kind;
 
-constexpr Eigen::Index least_elements = 100;  // fewest worth a thread
-constexpr std::size_t chunk = 4096;  // elements whose matrices are in memory simultaneously
+constexpr Eigen::Index least_elements = 100;  // fewest for a thread; chosen, not measured
+constexpr std::size_t chunk = 4096;           // elements in memory at a time; chosen, not measured
 
 Vector3 row_of(const Points& points, int row)
 {
@@ -30,7 +30,7 @@ Vector3 row_of(const Points& points, int row)
 Vector3 transported(const Vector3& vector, const Vector3& from, const Vector3& to)
 {
     const double cosine = from.dot(to);
-    if (cosine < -0.999)
+    if (cosine < -0.999)  // from geometry: opposite vectors have no smallest rotation
         return vector;
     const Vector3 axis = from.cross(to);
     return cosine * vector + axis.cross(vector) + axis * (axis.dot(vector) / (1.0 + cosine));
@@ -430,7 +430,7 @@ void ShellSystem::brace_joints()
 {
     if (joints_.freedoms() == 0)
         return;
-    const double brace = 1e-10 * matrix_->diagonal().mean();
+    const double brace = 1e-10 * matrix_->diagonal().mean();  // chosen: it only gives a pivot
     for (int k = movers_.open; k < unknowns(); ++k)
         matrix_->coeffRef(k, k) += brace;
 }

@@ -17,8 +17,13 @@ namespace sheetmorph::surface
 namespace
 {
 
-constexpr double default_thickness = 0.01;  // relative to the size
-constexpr double refined_thickness = 0.05;  // relative to the size
+// Relative to the size, if the thickness is unknown. Chosen: 1 mm for a part of 100 mm; usual sheet
+// metal parts lie between 1/30 and 1/1000. The report names the value.
+constexpr double default_thickness = 0.01;
+
+// Relative to the size, for `refine`. Chosen so thick that stretching costs little against bending:
+// the bending stiffness is 25 times that of the default, and only rotations change the shape.
+constexpr double refined_thickness = 0.05;
 
 // The diagonal of the rectangle with the same covariance of its area as the sheet; exact for a flat
 // rectangle. Unlike the diagonal of a bounding box, it does not depend on the axes. It depends

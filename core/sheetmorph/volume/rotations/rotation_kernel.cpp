@@ -21,18 +21,21 @@ namespace
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Polar factors of `width` matrices at once. Which ones stand beside each other decides nothing,
-// to the bit.
+// Polar factors of `width` matrices at once. The results do not depend, to the bit, on the grouping
+// of the matrices.
 struct LaneRotations : sheetmorph::HWY_NAMESPACE::LaneFunctions
 {
-    // As in polar_rotation(): what is not so soon found, or so flat, is left to it.
+    // Matrices that need more steps, or are flatter, go to polar_rotation(), which takes over at
+    // any value. Measured: a stretch by a factor of ten along one direction takes 8 steps.
     static constexpr int most_steps = 8;
-    static constexpr double settled = 1e-18;       // the square of a change
-    static constexpr double clearly_round = 1e-6;  // squared determinant in that of the size
+    static constexpr double settled = 1e-18;  // from polar_rotation(): the square of its 1e-9
+    // Squared determinant over the sixth power of the Frobenius norm; chosen five times rounder
+    // than nearly_flat of polar_rotation().
+    static constexpr double clearly_round = 1e-6;
 
     using Matrices = sheetmorph::HWY_NAMESPACE::LaneMatrices;
 
-    // One step of Newton's method, (m + m^-T) / 2, where it is not settled yet.
+    // One step of Newton's method, (m + m^-T) / 2, for the lanes that have not converged.
     static HWY_INLINE void step(Matrices& m, Mask& is_open, Mask& is_lost)
     {
         Matrices cofactors;
@@ -64,7 +67,7 @@ struct LaneRotations : sheetmorph::HWY_NAMESPACE::LaneFunctions
         is_open = hn::AndNot(hn::Or(is_lost, change < filled(settled)), is_open);
     }
 
-    // The polar factors of those lanes of m go to `matrices`, the others stay as they are there.
+    // Stores the polar factors of these lanes in `matrices`; the others do not change.
     static HWY_INLINE void store_polar(const Matrices& given, Mask asked, Matrix3* matrices,
                                        int count)
     {
@@ -89,7 +92,7 @@ struct LaneRotations : sheetmorph::HWY_NAMESPACE::LaneFunctions
     }
 };
 
-// A call of turn_rings().
+// Arguments of turn_rings().
 struct RingWork
 {
     const RingBatch& batch;
@@ -152,7 +155,7 @@ struct Kernel : LaneRotations
         return hn::PromoteTo(Doubles(), hn::PromoteTo(integers, hn::LoadU(bytes, numbers)));
     }
 
-    // What the references leave unexplained of the rings' edges and normals.
+    // The difference between the rings and their references' rotations, for edges and normals.
     static HWY_INLINE Mask unexplained(const RingWork& work, int begin, const Matrices& reference,
                                        Matrices& sum)
     {
@@ -185,7 +188,7 @@ struct Kernel : LaneRotations
         return left_over > filled(0.0);
     }
 
-    // What is unexplained of the normal, times its weight.
+    // The difference for the normal, times its weight.
     static HWY_INLINE Vectors left_of_normal(const RingBatch& batch, int begin,
                                              const Vectors& explained, const Vectors& area)
     {
