@@ -345,7 +345,7 @@ def is_due(assembly) -> bool:
 def tell(label: str, text: str) -> None:
     """Report a failed shape in a window that blocks nothing."""
     App.Console.PrintError(f"SheetMorph: {text}\n")
-    title = translate("SheetMorph_panels", "The shape of {0} failed").format(label)
+    title = translate("SheetMorph_panels", "The shape of {0} could not be computed").format(label)
     box = QtWidgets.QMessageBox(
         QtWidgets.QMessageBox.Warning, title, text, parent=Gui.getMainWindow()
     )

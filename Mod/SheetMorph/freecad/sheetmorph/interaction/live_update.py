@@ -149,7 +149,7 @@ class LiveUpdate(QtCore.QObject):
         if self.legend is None or self._valuer is None:
             return ""
         if not self.legend.part:
-            return translate("SheetMorph_panels", "There is nothing to show: no contact is in use.")
+            return translate("SheetMorph_panels", "No values: no contact is in use.")
         part = self._assembly.Document.getObject(self.legend.part).Label
         extreme = words.plain(self.legend.extreme)
         value = f"{extreme} {self._valuer.unit}".strip()

@@ -206,7 +206,7 @@ class FeaturePanel(Panel):
             raise ValueError(
                 translate(
                     "SheetMorph_panels",
-                    "Tick the form features it is related to, or choose no relation.",
+                    "Tick the related form features, or choose “No new relation”.",
                 )
             )
         members = [self._feature, *chosen]
@@ -214,7 +214,7 @@ class FeaturePanel(Panel):
             return function, (self._assembly, members), {}
         if len(chosen) > 1:
             raise ValueError(
-                translate("SheetMorph_panels", "A pair has two form features; tick one.")
+                translate("SheetMorph_panels", "A pair has two form features: tick one other.")
             )
         return function, (self._assembly, *members), {}
 
@@ -252,7 +252,7 @@ class FeaturePanel(Panel):
         form.has_size.setChecked(shape is not None and number_of(feature, "Size") > 0.0)
         if shape is None:
             text = translate(
-                "SheetMorph_panels", "No hole, slot or cylinder: it has no size to set."
+                "SheetMorph_panels", "Not a hole, slot or cylinder: it has no size to set."
             )
             form.size_text.setText(text)
             return

@@ -34,7 +34,7 @@ class Features:
         form.hint.setText(
             translate(
                 "SheetMorph_find",
-                "Size: diameter or length. Quality: how far the rim is off its form.",
+                "Size: diameter or length. Deviation: distance of the rim from its ideal " "form.",
             )
         )
 
@@ -106,7 +106,7 @@ class Contacts:
         form.hint.setText(
             translate(
                 "SheetMorph_find",
-                "Size: of the place. Gap: between the parts, measured in the middle.",
+                "Size of the contact area; median gap.",
             )
         )
 

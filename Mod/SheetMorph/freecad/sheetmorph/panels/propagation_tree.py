@@ -61,7 +61,7 @@ def _add_part(tree, assembly, step, rows):
     row = _row(nearest[1], step.part)
     row.setText(
         1,
-        translate("SheetMorph_panels", "level {0}").format(step.level)
+        translate("SheetMorph_panels", "step {0}").format(step.level)
         if step.level
         else translate("SheetMorph_panels", "primary"),
     )
@@ -83,9 +83,7 @@ def _add_contact(above, contact, origin: str) -> None:
     )
     row.setText(2, _millimetres(number_of(contact, "GapChange")) if contact.Active else "")
     row.setToolTip(0, f"{contact.Label}, {origin}: {_parts_of(contact)}")
-    changed = translate(
-        "SheetMorph_panels", "How much the gap between both sides has changed, at most"
-    )
+    changed = translate("SheetMorph_panels", "Largest change of the gap between both sides")
     row.setToolTip(2, changed)
     if contact.Active and contact.Warning:
         row.setIcon(2, warning_icon())

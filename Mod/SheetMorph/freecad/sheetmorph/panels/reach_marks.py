@@ -12,8 +12,8 @@ from freecad.sheetmorph.tools.reach_scale import scale_for
 CALM = 300  # ms without a change until the search, and between two attempts to start it
 HEIGHT, GROOVE = 18, 6  # px
 POSSIBLE, BEYOND = "#2e9e5b", "#d64545"  # on any theme
-NUMBERS = ("X", "Y", "Z", QT_TRANSLATE_NOOP("SheetMorph_panels", "The angle"))
-HINT = QT_TRANSLATE_NOOP("SheetMorph_panels", "Change a value to see how far it may go.")
+NUMBERS = ("X", "Y", "Z", QT_TRANSLATE_NOOP("SheetMorph_panels", "Angle"))
+HINT = QT_TRANSLATE_NOOP("SheetMorph_panels", "Change one value to see its admissible range.")
 TURNS_OVER = QT_TRANSLATE_NOOP("SheetMorph_panels", "a triangle turns over")
 
 
@@ -104,10 +104,10 @@ class ReachMarks(QtCore.QObject):
         is_upper = abs(high - self._value) < abs(low - self._value)
         why = whys[is_upper] or whys[not is_upper]
         if not why:
-            return translate("SheetMorph_panels", "{0}, as far as was looked").format(text)
+            return translate("SheetMorph_panels", "{0}: at least {1} to {2}{3}").format(text)
         is_flip = getattr(why, "code", "") == "flipped"
         reason = translate("SheetMorph_panels", TURNS_OVER) if is_flip else why
-        return translate("SheetMorph_panels", "{0}; beyond: {1}").format(text, reason)
+        return translate("SheetMorph_panels", "{0}; beyond this: {1}").format(text, reason)
 
     def _picture(self):
         """Return the scale as a QPixmap as wide as its label."""

@@ -143,9 +143,7 @@ class RegionPanel(Panel):
         self._faults.say("")
         self._show_sentence()
         refused = ", ".join(f"'{label}'" for label in self._picker.refused)
-        text = translate(
-            "SheetMorph_region", "What {0} has already is left out: a vertex has one of them."
-        )
+        text = translate("SheetMorph_region", "Skipped vertices that already belong to {0}.")
         say(self.form.message, text.format(refused) if refused else "", bool(refused))
 
     def _other_part(self, ray):

@@ -26,7 +26,7 @@ def beyond(histogram) -> str:
     """Return the number of elements beyond the limit as text, empty without a limit."""
     if histogram is None or histogram.limit is None:
         return ""
-    text = translate("SheetMorph_panels", "; {0} of {1} elements beyond {2:g}")
+    text = translate("SheetMorph_panels", "; {0} of {1} elements beyond the limit of {2:g}")
     return text.format(histogram.failing, histogram.count, histogram.limit)
 
 

@@ -11,7 +11,7 @@ from freecad.sheetmorph.tools.studies import LENGTH, NUMBER
 NAME, WHAT, LOW, HIGH = range(4)
 HEADS = (
     QT_TRANSLATE_NOOP("SheetMorph_panels", "Name"),
-    QT_TRANSLATE_NOOP("SheetMorph_panels", "Changes"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Number"),
     QT_TRANSLATE_NOOP("SheetMorph_panels", "From"),
     QT_TRANSLATE_NOOP("SheetMorph_panels", "To"),
 )
@@ -72,7 +72,7 @@ def parameters_in(table, variables) -> list:
             text = table.item(row, column).text()
             value = number_in(text, variable.unit)
             if value is None:
-                fault = translate("SheetMorph_panels", "“{0}” of “{1}” is no number.")
+                fault = translate("SheetMorph_panels", "“{0}” for “{1}” is not a number.")
                 raise ValueError(fault.format(text, name))
             ends.append(value)
         found.append((name, variable, *ends))

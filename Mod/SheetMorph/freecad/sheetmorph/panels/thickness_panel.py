@@ -48,7 +48,7 @@ class ThicknessPanel(Panel):
         for widget in (form.scale, form.low, form.high, form.bend, form.mark):
             widget.setVisible(solid is not None)
         if solid is None:
-            text = translate("SheetMorph_panels", "'{0}' is no thin solid: {1}.")
+            text = translate("SheetMorph_panels", "'{0}' is not a thin solid: {1}.")
             say(form.message, text.format(self._part.Label, self._reason))
             return
         values = solid.thicknesses
