@@ -786,12 +786,40 @@
  <context>
   <name>SheetMorph_find</name>
   <message>
+   <source>Already in the document</source>
+   <translation>Bereits im Dokument</translation>
+  </message>
+  <message>
    <source>Find Features</source>
    <translation>Formelemente finden</translation>
   </message>
   <message>
+   <source>Feature</source>
+   <translation>Formelement</translation>
+  </message>
+  <message>
+   <source>Size</source>
+   <translation>Größe</translation>
+  </message>
+  <message>
+   <source>Deviation</source>
+   <translation>Abweichung</translation>
+  </message>
+  <message>
    <source>Find Contacts</source>
    <translation>Kontakte finden</translation>
+  </message>
+  <message>
+   <source>Contact</source>
+   <translation>Kontakt</translation>
+  </message>
+  <message>
+   <source>Type</source>
+   <translation>Typ</translation>
+  </message>
+  <message>
+   <source>Gap</source>
+   <translation>Spalt</translation>
   </message>
   <message>
    <source>Size: diameter or length. Deviation: distance of the rim from its ideal form.</source>
@@ -1294,6 +1322,10 @@
    <translation>Keine Werte: Kein Kontakt ist aktiv.</translation>
   </message>
   <message>
+   <source>{0} {1} on {2}</source>
+   <translation>{0} {1} auf {2}</translation>
+  </message>
+  <message>
    <source>{0}, near {1}</source>
    <translation>{0}, nahe {1}</translation>
   </message>
@@ -1438,6 +1470,10 @@
    <translation>&lt;b&gt;{0}&lt;/b&gt; auf {1}</translation>
   </message>
   <message>
+   <source>Relations: {0}</source>
+   <translation>Beziehungen: {0}</translation>
+  </message>
+  <message>
    <source>Not a hole, slot or cylinder: it has no size to set.</source>
    <translation>Weder Loch noch Langloch noch Zylinder: Es gibt keine einstellbare Größe.</translation>
   </message>
@@ -1490,8 +1526,8 @@
    <translation>Lineare Vorschau; die Stahlform wird in einer Pause berechnet. {0}</translation>
   </message>
   <message>
-   <source>Computing steel shape ({0})</source>
-   <translation>Stahlform wird berechnet ({0})</translation>
+   <source>Computing the exact shape</source>
+   <translation>Die genaue Form wird berechnet</translation>
   </message>
   <message>
    <source>Nothing has moved yet.</source>
@@ -1500,6 +1536,10 @@
   <message>
    <source>{0} contacts open or close too far (see Propagation). The first:</source>
    <translation>{0} Kontakte öffnen oder schließen sich zu weit (siehe Ausbreitung). Der erste:</translation>
+  </message>
+  <message>
+   <source>Computing steel shape (step {0})</source>
+   <translation>Stahlform wird berechnet (Schritt {0})</translation>
   </message>
   <message>
    <source>Preview: refined on release. {0}</source>
@@ -1554,8 +1594,24 @@
    <translation>Markieren Sie zuerst eine feste Region und einen Griff.</translation>
   </message>
   <message>
+   <source>No contact reaches these parts, so they stay at rest: mark a contact with a part above.</source>
+   <translation>Kein Kontakt erreicht diese Teile, daher bleiben sie in Ruhe: Markieren Sie einen Kontakt mit einem Teil weiter oben.</translation>
+  </message>
+  <message>
+   <source>Contacts that transfer no motion: switched off, not reached, or not needed.</source>
+   <translation>Kontakte, die keine Bewegung übertragen: ausgeschaltet, nicht erreicht oder nicht benötigt.</translation>
+  </message>
+  <message>
    <source>Largest change of the gap between both sides</source>
    <translation>Größte Änderung des Spalts zwischen beiden Seiten</translation>
+  </message>
+  <message>
+   <source>Not reached</source>
+   <translation>Nicht erreicht</translation>
+  </message>
+  <message>
+   <source>Contacts not in use</source>
+   <translation>Nicht aktive Kontakte</translation>
   </message>
   <message>
    <source>primary</source>
@@ -1570,6 +1626,10 @@
    <translation>nicht aktiv</translation>
   </message>
   <message>
+   <source>from {0}</source>
+   <translation>von {0}</translation>
+  </message>
+  <message>
    <source>step {0}</source>
    <translation>Schritt {0}</translation>
   </message>
@@ -1578,8 +1638,12 @@
    <translation>Ändern Sie einen Wert, um seinen zulässigen Bereich zu sehen.</translation>
   </message>
   <message>
-   <source>a triangle turns over</source>
-   <translation>ein Dreieck klappt um</translation>
+   <source>Searching the admissible range…</source>
+   <translation>Zulässiger Bereich wird gesucht …</translation>
+  </message>
+  <message>
+   <source>{0}; beyond this, triangles flip</source>
+   <translation>{0}; darüber hinaus klappen Dreiecke um</translation>
   </message>
   <message>
    <source>Angle</source>
@@ -1670,6 +1734,14 @@
    <translation>Bis</translation>
   </message>
   <message>
+   <source>smallest corner, °</source>
+   <translation>kleinster Winkel, °</translation>
+  </message>
+  <message>
+   <source>stretch, %</source>
+   <translation>Dehnung, %</translation>
+  </message>
+  <message>
    <source>passed</source>
    <translation>bestanden</translation>
   </message>
@@ -1698,8 +1770,68 @@
    <translation>„{0}“ für „{1}“ ist keine Zahl.</translation>
   </message>
   <message>
+   <source>Median thickness &lt;b&gt;{0}&lt;/b&gt;, from {1} to {2}</source>
+   <translation>Mittlere Dicke (Median) &lt;b&gt;{0}&lt;/b&gt;, von {1} bis {2}</translation>
+  </message>
+  <message>
+   <source>Holes through both skins: {0}</source>
+   <translation>Löcher durch beide Häute: {0}</translation>
+  </message>
+  <message>
+   <source>Thick regions (stay rigid): {0}</source>
+   <translation>Dicke Bereiche (bleiben starr): {0}</translation>
+  </message>
+  <message>
+   <source>{0} walls and thick regions: no thickness</source>
+   <translation>{0} Wände und dicke Bereiche: ohne Dicke</translation>
+  </message>
+  <message>
    <source>'{0}' is not a thin solid: {1}.</source>
    <translation>„{0}“ ist kein dünner Körper: {1}.</translation>
+  </message>
+  <message>
+   <source>worst aspect</source>
+   <translation>schlechtestes Seitenverhältnis</translation>
+  </message>
+  <message>
+   <source>worst warpage</source>
+   <translation>größte Verwindung</translation>
+  </message>
+  <message>
+   <source>worst skew</source>
+   <translation>größte Schiefe</translation>
+  </message>
+  <message>
+   <source>worst taper</source>
+   <translation>größte Verjüngung</translation>
+  </message>
+  <message>
+   <source>worst Jacobian</source>
+   <translation>schlechteste Jacobi-Zahl</translation>
+  </message>
+  <message>
+   <source>smallest corner</source>
+   <translation>kleinster Winkel</translation>
+  </message>
+  <message>
+   <source>largest corner</source>
+   <translation>größter Winkel</translation>
+  </message>
+  <message>
+   <source>shortest edge</source>
+   <translation>kürzeste Kante</translation>
+  </message>
+  <message>
+   <source>largest displacement</source>
+   <translation>größte Verschiebung</translation>
+  </message>
+  <message>
+   <source>largest stretch</source>
+   <translation>größte Dehnung</translation>
+  </message>
+  <message>
+   <source>largest change</source>
+   <translation>größte Änderung</translation>
   </message>
  </context>
  <context>
@@ -2342,6 +2474,14 @@
   <message>
    <source>Nothing picked</source>
    <translation>Nichts gewählt</translation>
+  </message>
+  <message>
+   <source>Advanced</source>
+   <translation>Erweitert</translation>
+  </message>
+  <message>
+   <source>Shows the selector of the picked vertices</source>
+   <translation>Zeigt den Selektor der gewählten Knoten</translation>
   </message>
   <message>
    <source>Selector, such as {"face_at": [x, y, z]}</source>

@@ -786,12 +786,40 @@
  <context>
   <name>SheetMorph_find</name>
   <message>
+   <source>Already in the document</source>
+   <translation>ドキュメントに既存</translation>
+  </message>
+  <message>
    <source>Find Features</source>
    <translation>形状特徴を探す</translation>
   </message>
   <message>
+   <source>Feature</source>
+   <translation>形状特徴</translation>
+  </message>
+  <message>
+   <source>Size</source>
+   <translation>大きさ</translation>
+  </message>
+  <message>
+   <source>Deviation</source>
+   <translation>偏差</translation>
+  </message>
+  <message>
    <source>Find Contacts</source>
    <translation>接触を探す</translation>
+  </message>
+  <message>
+   <source>Contact</source>
+   <translation>接触</translation>
+  </message>
+  <message>
+   <source>Type</source>
+   <translation>種類</translation>
+  </message>
+  <message>
+   <source>Gap</source>
+   <translation>隙間</translation>
   </message>
   <message>
    <source>Size: diameter or length. Deviation: distance of the rim from its ideal form.</source>
@@ -1294,6 +1322,10 @@
    <translation>値がありません。使用中の接触がありません。</translation>
   </message>
   <message>
+   <source>{0} {1} on {2}</source>
+   <translation>{0} {1}({2})</translation>
+  </message>
+  <message>
    <source>{0}, near {1}</source>
    <translation>{0}({1} の近く)</translation>
   </message>
@@ -1438,6 +1470,10 @@
    <translation>{1} の &lt;b&gt;{0}&lt;/b&gt;</translation>
   </message>
   <message>
+   <source>Relations: {0}</source>
+   <translation>関係: {0}</translation>
+  </message>
+  <message>
    <source>Not a hole, slot or cylinder: it has no size to set.</source>
    <translation>穴でも長穴でも円筒でもないため、設定できる大きさがありません。</translation>
   </message>
@@ -1490,8 +1526,8 @@
    <translation>線形プレビュー。手を止めると鋼板の形状を計算します。{0}</translation>
   </message>
   <message>
-   <source>Computing steel shape ({0})</source>
-   <translation>鋼板の形状を計算中 ({0})</translation>
+   <source>Computing the exact shape</source>
+   <translation>正確な形状を計算中</translation>
   </message>
   <message>
    <source>Nothing has moved yet.</source>
@@ -1500,6 +1536,10 @@
   <message>
    <source>{0} contacts open or close too far (see Propagation). The first:</source>
    <translation>{0} 個の接触の隙間が変わりすぎています(「伝播」を参照)。最初の接触:</translation>
+  </message>
+  <message>
+   <source>Computing steel shape (step {0})</source>
+   <translation>鋼板の形状を計算中 (ステップ {0})</translation>
   </message>
   <message>
    <source>Preview: refined on release. {0}</source>
@@ -1554,8 +1594,24 @@
    <translation>先に固定領域とハンドルを指定してください。</translation>
   </message>
   <message>
+   <source>No contact reaches these parts, so they stay at rest: mark a contact with a part above.</source>
+   <translation>接触でつながっていないため、これらの部品は動きません。上の部品との接触を指定してください。</translation>
+  </message>
+  <message>
+   <source>Contacts that transfer no motion: switched off, not reached, or not needed.</source>
+   <translation>動きを伝えない接触: オフ、未到達、または不要。</translation>
+  </message>
+  <message>
    <source>Largest change of the gap between both sides</source>
    <translation>両側の隙間の最大の変化</translation>
+  </message>
+  <message>
+   <source>Not reached</source>
+   <translation>未到達</translation>
+  </message>
+  <message>
+   <source>Contacts not in use</source>
+   <translation>使われていない接触</translation>
   </message>
   <message>
    <source>primary</source>
@@ -1570,6 +1626,10 @@
    <translation>不使用</translation>
   </message>
   <message>
+   <source>from {0}</source>
+   <translation>{0} から</translation>
+  </message>
+  <message>
    <source>step {0}</source>
    <translation>ステップ {0}</translation>
   </message>
@@ -1578,8 +1638,12 @@
    <translation>値を一つ変えると、その許容範囲を示します。</translation>
   </message>
   <message>
-   <source>a triangle turns over</source>
-   <translation>三角形が裏返ります</translation>
+   <source>Searching the admissible range…</source>
+   <translation>許容範囲を探しています…</translation>
+  </message>
+  <message>
+   <source>{0}; beyond this, triangles flip</source>
+   <translation>{0}、これを超えると三角形が裏返ります</translation>
   </message>
   <message>
    <source>Angle</source>
@@ -1670,6 +1734,14 @@
    <translation>まで</translation>
   </message>
   <message>
+   <source>smallest corner, °</source>
+   <translation>最小の角、°</translation>
+  </message>
+  <message>
+   <source>stretch, %</source>
+   <translation>伸び、%</translation>
+  </message>
+  <message>
    <source>passed</source>
    <translation>合格</translation>
   </message>
@@ -1698,8 +1770,68 @@
    <translation>「{1}」の値「{0}」は数値ではありません。</translation>
   </message>
   <message>
+   <source>Median thickness &lt;b&gt;{0}&lt;/b&gt;, from {1} to {2}</source>
+   <translation>板厚の中央値 &lt;b&gt;{0}&lt;/b&gt;、{1} ～ {2}</translation>
+  </message>
+  <message>
+   <source>Holes through both skins: {0}</source>
+   <translation>両面を貫く穴: {0} 個</translation>
+  </message>
+  <message>
+   <source>Thick regions (stay rigid): {0}</source>
+   <translation>厚い領域(剛体のまま): {0} 個</translation>
+  </message>
+  <message>
+   <source>{0} walls and thick regions: no thickness</source>
+   <translation>{0} 側面と厚い領域: 板厚なし</translation>
+  </message>
+  <message>
    <source>'{0}' is not a thin solid: {1}.</source>
    <translation>「{0}」は薄肉ソリッドではありません: {1}。</translation>
+  </message>
+  <message>
+   <source>worst aspect</source>
+   <translation>最悪のアスペクト比</translation>
+  </message>
+  <message>
+   <source>worst warpage</source>
+   <translation>最大のそり</translation>
+  </message>
+  <message>
+   <source>worst skew</source>
+   <translation>最大のスキュー</translation>
+  </message>
+  <message>
+   <source>worst taper</source>
+   <translation>最大のテーパー</translation>
+  </message>
+  <message>
+   <source>worst Jacobian</source>
+   <translation>最悪のヤコビアン</translation>
+  </message>
+  <message>
+   <source>smallest corner</source>
+   <translation>最小の角</translation>
+  </message>
+  <message>
+   <source>largest corner</source>
+   <translation>最大の角</translation>
+  </message>
+  <message>
+   <source>shortest edge</source>
+   <translation>最短の辺</translation>
+  </message>
+  <message>
+   <source>largest displacement</source>
+   <translation>最大の変位</translation>
+  </message>
+  <message>
+   <source>largest stretch</source>
+   <translation>最大の伸び</translation>
+  </message>
+  <message>
+   <source>largest change</source>
+   <translation>最大の変化</translation>
   </message>
  </context>
  <context>
@@ -2342,6 +2474,14 @@
   <message>
    <source>Nothing picked</source>
    <translation>何も選択されていません</translation>
+  </message>
+  <message>
+   <source>Advanced</source>
+   <translation>詳細</translation>
+  </message>
+  <message>
+   <source>Shows the selector of the picked vertices</source>
+   <translation>選択した頂点のセレクターを表示します</translation>
   </message>
   <message>
    <source>Selector, such as {"face_at": [x, y, z]}</source>

@@ -236,7 +236,8 @@ class FeaturePanel(Panel):
         connect(form.has_size, "toggled(bool)", self._refresh)
         related = model.relations(self._assembly, self._feature)
         text = ", ".join(f"{relation.Label} ({relation.Type})" for relation in related)
-        say(form.related, f"Relations: {text}" if text else "")
+        title = translate("SheetMorph_panels", "Relations: {0}")
+        say(form.related, title.format(text) if text else "")
         say(form.message, "")
 
     def _show_values(self) -> None:

@@ -161,7 +161,8 @@ class FindPanel(Panel):
 
     def _prepare_widgets(self) -> None:
         form = self.form
-        find_table.prepare(form.table, self._what.columns)
+        columns = [translate("SheetMorph_find", title) for title in self._what.columns]
+        find_table.prepare(form.table, columns)
         self._what.prepare(form)
         connect(form.kind, "currentIndexChanged(int)", self._filter)
         connect(form.smallest, "valueChanged(double)", self._filter)

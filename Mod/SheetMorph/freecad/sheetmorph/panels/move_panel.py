@@ -297,8 +297,11 @@ class MovePanel(Panel):
 
     def _on_settling(self, task: str) -> None:
         if self._live is not None and self._live.is_preview:
-            text = translate("SheetMorph_panels", "Computing steel shape ({0})")
-            say(self.form.status, text.format(task))
+            step = task.rpartition(" ")[2]
+            text = translate("SheetMorph_panels", "Computing the exact shape")
+            if step.isdigit():
+                text = translate("SheetMorph_panels", "Computing steel shape (step {0})")
+            say(self.form.status, text.format(step))
 
     def _hush(self) -> None:
         self._stop_timers()

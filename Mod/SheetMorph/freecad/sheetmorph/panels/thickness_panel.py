@@ -75,11 +75,15 @@ class ThicknessPanel(Panel):
 def summary(solid) -> str:
     """Return the result as rich text."""
     low, high = colour_scale.range_of(solid.thicknesses)
+    thickness = translate("SheetMorph_panels", "Median thickness <b>{0}</b>, from {1} to {2}")
+    holes = translate("SheetMorph_panels", "Holes through both skins: {0}")
+    thick = translate("SheetMorph_panels", "Thick regions (stay rigid): {0}")
+    missing = translate("SheetMorph_panels", "{0} walls and thick regions: no thickness")
+    values = words.length(solid.thickness, 4), words.plain(low, 4), words.length(high, 4)
     lines = [
-        f"Typically <b>{words.length(solid.thickness, 4)}</b>, "
-        f"from {words.plain(low, 4)} to {words.length(high, 4)}"
+        thickness.format(*values),
+        holes.format(len(solid.holes)),
+        thick.format(len(solid.lumps)),
+        missing.format(chip(colour_scale.MISSING)),
     ]
-    lines.append(f"Holes through both skins: {len(solid.holes)}")
-    lines.append(f"Lumps, which stay rigid: {len(solid.lumps)}")
-    lines.append(f"{chip(colour_scale.MISSING)} walls and lumps: no thickness")
     return "<br>".join(lines)
