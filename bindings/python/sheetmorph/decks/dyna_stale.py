@@ -8,12 +8,12 @@ from .model import Place
 from .numbers import parse_integer
 
 _REASONS = {
-    "INITIAL_STRESS": "an initial stress of the shape before",
-    "INITIAL_STRAIN": "an initial strain of the shape before",
-    "INITIAL_FOAM_REFERENCE_GEOMETRY": "a reference geometry of the shape before",
-    "AIRBAG_REFERENCE_GEOMETRY": "a reference geometry of the shape before",
-    "AIRBAG_SHELL_REFERENCE_GEOMETRY": "a reference geometry of the shape before",
-    "BOUNDARY_PRESCRIBED_FINAL_GEOMETRY": "a final geometry for the shape before",
+    "INITIAL_STRESS": "an initial stress of the undeformed shape",
+    "INITIAL_STRAIN": "an initial strain of the undeformed shape",
+    "INITIAL_FOAM_REFERENCE_GEOMETRY": "a reference geometry of the undeformed shape",
+    "AIRBAG_REFERENCE_GEOMETRY": "a reference geometry of the undeformed shape",
+    "AIRBAG_SHELL_REFERENCE_GEOMETRY": "a reference geometry of the undeformed shape",
+    "BOUNDARY_PRESCRIBED_FINAL_GEOMETRY": "a final geometry for the undeformed shape",
     "DEFINE_COORDINATE_SYSTEM": "a coordinate system by coordinates stays where it is",
     "DEFINE_COORDINATE_VECTOR": "a coordinate system by vectors stays as it is",
     "DEFINE_BOX": "a box by coordinates stays where it is",
@@ -26,10 +26,10 @@ _REASONS = {
     "ELEMENT_BEAM_ORIENTATION": "its orientation is kept as it is",
     "ELEMENT_BEAM_OFFSET": "its offsets are kept as they are",
     "ELEMENT_SOLID_ORTHO": "its material axes are kept as they are",
-    "PERTURBATION_NODE": "it shifts nodes of the shape before when the solver starts",
+    "PERTURBATION_NODE": "it shifts nodes of the undeformed shape when the solver starts",
     "RIGIDWALL": "a rigid wall stays where it is",
-    "INCLUDE_STAMPED": "what is mapped from forming belongs to the shape before",
-    "DYNAIN": "results of the shape before",
+    "INCLUDE_STAMPED": "forming results belong to the undeformed shape",
+    "DYNAIN": "results of the undeformed shape",
 }
 
 

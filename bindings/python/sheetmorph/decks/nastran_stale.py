@@ -18,10 +18,10 @@ STALE = {
     "ACCEL": "its places are kept as they are",
     "TEMPN1": "a mapped field",
     "CAERO1": "its corners are coordinates",
-    "DMIG": "a matrix of the shape before",
-    "DMI": "a matrix of the shape before",
-    "DMIGROT": "a matrix of the shape before",
-    "INITS": "an initial stress of the shape before",
+    "DMIG": "a matrix of the undeformed shape",
+    "DMI": "a matrix of the undeformed shape",
+    "DMIGROT": "a matrix of the undeformed shape",
+    "INITS": "an initial stress of the undeformed shape",
 }
 # First field with data that a moved node makes stale.
 _FROM = {"CTRIA3": 5, "CQUAD4": 6, "CONM2": 4, "CBEAM": 10, "CBAR": 10}

@@ -45,7 +45,9 @@ class MeshioFile(PartFile):
         super().__init__(path, _part_mesh(path, space, self._mesh.cells), precision)
         if path.suffix.lower() == ".mesh" and not read_bytes(path).rstrip().endswith(b"End"):
             self.missing.append("the closing End is missing: check that the file is complete")
-        self.notes.append("written through meshio: comments and sections unknown to it are lost")
+        self.notes.append(
+            "written through meshio, which drops comments and sections that it does not know"
+        )
 
     def save(self, path: Path, positions: Floats) -> None:
         import meshio
