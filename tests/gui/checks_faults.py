@@ -253,7 +253,7 @@ def test_a_recipe_keeps_the_meshes_that_it_reads():
         yield from menu("SheetMorph", "Export Parts…")
         yield from answer(str(folder))
         yield from until(lambda: "reads this file" in report_view(), "the refusal")
-    assert "did not write them as they are now" in asked[0], asked
+    assert "did not write their current content" in asked[0], asked
     assert 'the recipe "recipe.json" beside it reads this file' in report_view()
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == kept
     yield from menu("File", "Std_New")

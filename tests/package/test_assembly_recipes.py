@@ -223,7 +223,7 @@ MISTAKES = [
      "vertices 1000000 are not in part lid"),
     (changed_contact(b={"part": "cap", "vertices": [1]}), "contacts[0] (weld).b.part",
      'there is no part "cap"'),
-    (two_plates(contacts=two_plates()["contacts"] * 2), "contacts[1] (weld)", "is used already"),
+    (two_plates(contacts=two_plates()["contacts"] * 2), "contacts[1] (weld)", "is already used"),
     (two_plates(propagation={"type": "far"}), "propagation.type", '"far" is not a type'),
     (two_plates(propagation={"levels": 9}), "propagation.levels", "9 is not a whole number from"),
     (two_plates(propagation={"smoothness": 0}), "propagation.smoothness", "from 1e-12 to 1e6"),

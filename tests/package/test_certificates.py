@@ -182,13 +182,13 @@ def test_what_is_not_there_or_another_deck_is_told(folder: Path, capsys):
 @pytest.mark.parametrize(
     ("text", "what"),
     [
-        ("[1]", "criteria are an object"),
+        ("[1]", "criteria must be an object"),
         ('{"elements": {"beauty": {"max": 1}}}', 'no measure "beauty"'),
         ('{"elements": {"skew": {"most": 1}}}', '"skew" needs numbers'),
         ('{"set": "none"}', 'no set "none"'),
         ('{"limits": {}}', 'unknown key "limits"'),
         ('{"time_step": {"target_ms": "fast"}}', "no number"),
-        ("{", "it is no JSON"),
+        ("{", "it is not JSON"),
     ],
 )
 def test_criteria_that_make_no_sense_are_refused(text: str, what: str, tmp_path: Path):

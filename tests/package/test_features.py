@@ -141,7 +141,7 @@ def test_a_size_that_something_stops_names_what_it_is(what: str, kind: str, with
 
 def test_a_size_of_other_vertices_is_refused():
     part = plate()
-    with pytest.raises(RecipeError, match="no hole, slot or cylinder"):
+    with pytest.raises(RecipeError, match="not a hole, slot or cylinder"):
         deformed(part, {"size": 9.0, "vertices": part.rims[1][:10]})
 
 

@@ -109,7 +109,7 @@ def test_a_random_command_with_its_output_aimed_at_any_input_changes_none(
         filled = [word.format(target, folder=draw.choice([".", "run/.."])) for word in command]
         status = main(filled)
         said = capsys.readouterr()
-        assert "mistake of the program" not in said.err, (filled, said.err)
+        assert "has a bug" not in said.err, (filled, said.err)
         now = contents(folder)
         assert {name: now.get(name) for name in before} == before, (filled, status)
         for name in now.keys() - before.keys():

@@ -96,10 +96,10 @@ ONE_FAULT = [
     ),
     ("primary", "lid", "primary", 'there is no part "lid"', 'use one of "cover", "deck"'),
     ("primary", None, "primary", "there are several parts", 'name the part you deform: "cover"'),
-    ("parts.1.name", "cover", "parts[1] (cover)", "is used already", "give it another name"),
+    ("parts.1.name", "cover", "parts[1] (cover)", "is already used", "give it another name"),
     ("parts.0.file", None, "parts[0] (cover)", 'the key "file" is missing', "add the path"),
-    ("parts.0.file", "lid.obj", "parts[0] (cover).file", "there is no such file", "check the path"),
-    ("parts.0.file", "./deck.nas", "parts[1] (deck).file", "is used already", "rename one"),
+    ("parts.0.file", "lid.obj", "parts[0] (cover).file", "does not exist", "check the path"),
+    ("parts.0.file", "./deck.nas", "parts[1] (deck).file", "is already used", "rename one"),
     ("fixed.0.vertices", [], "fixed[0].vertices", "the list is empty", "at least one"),
     ("fixed.0.vertices", [0, 5, 9], "fixed[0].vertices", "vertices 5, 9 are not in", "0 .. 4"),
     ("fixed.1.vertices", [10, 99], "fixed[1].vertices", "vertices 99 are not in", "10 .. 50"),
@@ -109,7 +109,7 @@ ONE_FAULT = [
     ("handles.0.part", None, "handles[0] (tip)", 'the key "part" is missing', "add it"),
     ("handles.0.vertices", None, "handles[0] (tip)", "neither vertices nor", "give vertices, or"),
     ("handles.0.triangle", 1, "handles[0] (tip)", "vertices and a point", "keep either"),
-    ("handles.1.barycentric", None, "handles[1] (peg)", "neither vertices nor a whole point",
+    ("handles.1.barycentric", None, "handles[1] (peg)", "neither vertices nor a complete point",
      "triangle and barycentric"),
     ("handles.1.name", "tip", "handles[1] (tip)", "is used already by handles[0] (tip)", "another"),
     ("handles.0.pivot", [0, 0], "handles[0] (tip).pivot", "it has 2 entries", "three numbers"),
@@ -211,7 +211,7 @@ def test_what_is_no_recipe_at_all_is_refused(recipe: object, folder: Path):
 def test_nothing_fixed_and_nothing_moved_is_refused(folder: Path):
     recipe = {"sheetmorph": 1, "parts": [{"name": "cover", "file": "cover.obj"}]}
     assert [fault.what for fault in faults_of(recipe, folder)] == [
-        "nothing is fixed and nothing is moved"
+        "there is no fixed region and no handle"
     ]
 
 

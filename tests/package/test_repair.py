@@ -152,7 +152,7 @@ def test_a_study_does_not_repair_and_says_so(tmp_path: Path, capsys):
     }
     (tmp_path / "study.json").write_text(json.dumps(study))
     assert main(["study", str(tmp_path / "study.json"), "-o", str(tmp_path / "out")]) == 2
-    assert "a study does not repair elements" in capsys.readouterr().err
+    assert "a study cannot repair elements" in capsys.readouterr().err
 
 
 def test_borders_and_creases_stay():

@@ -68,7 +68,7 @@ def contents(out: Path) -> dict[str, bytes]:
     [
         {"thesis.txt": "precious"},
         {"parameters.json": '{"mine": 1}', "thesis.txt": "precious"},
-        {"parameters.json": "no JSON"},
+        {"parameters.json": "not JSON"},
         {"sub/thesis.txt": "precious"},
     ],
 )

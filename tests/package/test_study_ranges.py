@@ -121,7 +121,7 @@ def test_what_lies_beyond_a_range_is_refused_and_costs_nothing(tmp_path: Path):
     for row in rows:
         lift, entry = float(row["lift"]), limits["lift"]
         if not entry["low"] <= lift <= entry["high"]:
-            assert row["status"] == "refused" and " is beyond " in row["why"]
+            assert row["status"] == "refused" and " is outside " in row["why"]
     costs = json.loads((tmp_path / "out" / "costs.json").read_text())
     assert costs["computed"] == 24 - len(refused)
 

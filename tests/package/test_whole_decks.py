@@ -41,7 +41,7 @@ def test_a_deck_under_the_ending_of_another_format_is_refused(name: str, suffix:
     if suffix in own:
         assert len(read_deck(Path(f"deck{suffix}"), lambda _: data).ids)
     else:
-        with pytest.raises(FileError, match="this is .*, and its name says .*; give it the ending"):
+        with pytest.raises(FileError, match="this is .*, but its name says .*; give it the ending"):
             read_deck(Path(f"deck{suffix}"), lambda _: data)
 
 

@@ -106,7 +106,7 @@ def test_nothing_that_was_edited_is_written_over(folder: Path, capsys):
     assert main(["init", "plate.obj", "-o", "recipe.json"]) == 2
     assert "recipe.json is there already" in capsys.readouterr().err
     assert main(["show", "recipe.json", "-o", "recipe.json"]) == 2
-    assert "end it in .png" in capsys.readouterr().err
+    assert "use a name that ends in .png" in capsys.readouterr().err
     assert Path("recipe.json").read_text() == before
 
 

@@ -52,7 +52,8 @@ def _shapes(report: dict[str, Any]) -> Iterator[str]:
         yield (
             f"{name}: {counted(kept, 'face', 'faces')} kept, {fitted} fitted, "
             f"at most {off:.2g} mm from the mesh, "
-            f"{own[0]['bytes'] / max(own[0]['bytes_before'], 1):.2g} times the size of the original file"
+            f"{own[0]['bytes'] / max(own[0]['bytes_before'], 1):.2g} times the size of the "
+            "original file"
         )
 
 

@@ -130,9 +130,9 @@ def _body_failures(body: dict[str, Any], shape: dict[str, Any]) -> Iterator[str]
     if body["far_faces"]:
         far, faces = body["distance"], _faces(body["far_faces"])
         yield (
-            f"{faces} {_are(body['far_faces'])} up to {far['value']:.2g} mm from the deformed mesh, "
-            f"at {_place(far)} (allowed {shape['tolerance']:.3g} mm); mesh the part finer, or give "
-            "a larger write_tolerance"
+            f"{faces} {_are(body['far_faces'])} up to {far['value']:.2g} mm from the deformed "
+            f"mesh, at {_place(far)} (allowed {shape['tolerance']:.3g} mm); mesh the part finer, "
+            "or give a larger write_tolerance"
         )
     if body["gap"]["value"] > shape["edge_tolerance"]:
         yield (

@@ -61,8 +61,8 @@ def _notes(done: dict[str, Any]) -> list[str]:
         )
     if fresh and fresh["least_edge"]:
         notes.append(
-            f"edges on bends and next to rims were kept above {fresh['least_edge']:.2g} mm to limit "
-            "the size of the mesh; remesh with a shorter edge for finer ones"
+            f"edges on bends and next to rims were kept above {fresh['least_edge']:.2g} mm to "
+            "limit the size of the mesh; remesh with a shorter edge for finer ones"
         )
     if done["unsettled"]:
         notes.append(done["unsettled"])

@@ -28,7 +28,7 @@ def require_kind(obj, wanted: str, word: str) -> None:
     """Raise ValueError unless `obj` is a SheetMorph object of the wanted kind."""
     if kind(obj) != wanted:
         label = getattr(obj, "Label", repr(obj))
-        raise ValueError(f"'{label}' is not a SheetMorph object of the kind '{word}'; pass one.")
+        raise ValueError(f"'{label}' is not a SheetMorph {word}; pass one.")
 
 
 def require_assembly(obj) -> None:

@@ -216,7 +216,7 @@ class TestFollowing(DocumentTest):
         with self.assertRaisesRegex(ValueError, "has no faces"):
             api.follow_shape(part)
         self.document.removeObject(source.Name)
-        with self.assertRaisesRegex(ValueError, "follows no shape"):
+        with self.assertRaisesRegex(ValueError, "has no shape to follow"):
             api.follow_shape(part)
         np.testing.assert_array_equal(api.rest_mesh(part)[0], before)
 

@@ -100,7 +100,7 @@ class TestReplacing(DocumentTest):
         self.document.recompute()
         self.assertEqual(api.preparation_of(part)["remesh"]["edge"], 4.0)
         self.assertEqual(found["different"], [regions[2].Name])
-        self.assertIn("nearest ones", found["told"][0])
+        self.assertIn("nearest vertices", found["told"][0])
         self.assert_resolved(part, regions[:2])
         points = api.rest_mesh(part)[0][api.vertices(regions[2])]
         self.assertLess(np.abs(np.hypot(points[:, 0] - 40, points[:, 1] - 20) - 5).min(), 0.1)
