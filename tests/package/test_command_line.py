@@ -157,7 +157,10 @@ def test_a_part_that_is_not_solved_to_its_end_exits_with_3_and_is_named(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys
 ):
     solve = Session.deform
-    text = "the positions of the sheet did not converge in 90 iterations (the last one still changed 3 mm)"
+    text = (
+        "the positions of the sheet did not converge in 90 iterations (the last one still "
+        "changed 3 mm)"
+    )
 
     def give_up(self: Session, *arguments: Any, **options: Any) -> Result:
         found = solve(self, *arguments, **options)
