@@ -64,7 +64,7 @@ def _seams(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     weld = _in_mm(diagnosis, {"weld": diagnosis["tolerance"]})
     doubled = counts["duplicate_vertices"] + counts["near_duplicate_vertices"]
     if doubled:
-        text = counted(doubled, "vertex stands", "vertices stand")
+        text = counted(doubled, "vertex lies", "vertices lie")
         text += " at nearly the same place as another: the mesh is cut there"
         closed = counts["open_edges"] - counts["open_edges_welded"]
         if closed > 0:
@@ -152,7 +152,7 @@ def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     if edges["longest"] > _COARSE * diagnosis["size"] > 0.0:
         text = f"edges up to {edges['longest']:.3g} {unit}: too coarse to bend"
         if rims["count"] and rims["smallest_radius"] < edges["longest"]:
-            text += f", beside round rims of radius {rims['smallest_radius']:.3g} {unit}"
+            text += f", next to round rims of radius {rims['smallest_radius']:.3g} {unit}"
         yield "long edges", 1, text, "remesh", remesh
     if diagnosis["thickness"] is not None:
         number = sum(piece["kind"] == "thin solid" for piece in diagnosis["components"])

@@ -33,16 +33,16 @@ _FILLED = frozenset(
 )
 _MADE = ("NGEN", "NFILL")
 _STALE = {
-    "ORIENTATION": "local directions by coordinates are kept as they are",
-    "NODAL THICKNESS": "the thickness at its nodes is kept as it is",
-    "NORMAL": "normals by components are kept as they are",
-    "TRANSFORM": "local directions by coordinates are kept as they are",
+    "ORIENTATION": "local directions by coordinates stay unchanged",
+    "NODAL THICKNESS": "the thickness at its nodes stays unchanged",
+    "NORMAL": "normals by components stay unchanged",
+    "TRANSFORM": "local directions by coordinates stay unchanged",
     "INITIAL CONDITIONS": "an initial state of the undeformed shape",
     "TIE": "the solver may shift tied nodes onto the other surface when it starts (ADJUST)",
     "IMPERFECTION": "an imperfection of the undeformed shape",
     "MASS FLOW": "",
-    "ROTARY INERTIA": "its inertia is kept as it is",
-    "DISTRIBUTION": "a mapped field is kept as it is",
+    "ROTARY INERTIA": "its inertia stays unchanged",
+    "DISTRIBUTION": "a mapped field stays unchanged",
 }
 
 

@@ -39,7 +39,7 @@ class MeshioFile(PartFile):
         points = np.asarray(self._mesh.points)
         precision = "float32" if points.dtype == np.float32 else "double"
         if points.ndim != 2 or points.shape[1] not in (2, 3):
-            raise FileError(path, "it holds no points in space", "export it as VTU or PLY")
+            raise FileError(path, "it has no points in space", "export it as VTU or PLY")
         space = np.zeros((len(points), 3))
         space[:, : points.shape[1]] = points
         super().__init__(path, _part_mesh(path, space, self._mesh.cells), precision)

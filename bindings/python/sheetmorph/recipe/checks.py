@@ -56,7 +56,7 @@ def meaning_faults(model: Model, known: Known) -> list[Fault]:
     faults = [*_repeated_names(model), *_primary(model, known)]
     for region in model.all_regions:
         if not region.part:  # the key `driven` of a part that is split
-            what = "the entry stands for several parts"
+            what = "the entry is for several parts"
             todo = 'list them under "regions", as followers'
             faults.append(Fault(region.where, what, todo).about(region.subject))
         elif not known.has_part(region.part):
@@ -196,7 +196,7 @@ def _one_of_vertices_and_where(region: RegionEntry) -> Iterator[Fault]:
         what = "both vertices and a selector are given"
         yield Fault(region.where, what, 'keep either "vertices" or "where"')
     if region.is_prepared:
-        todo = "leave it out beside a selector"
+        todo = "leave it out next to a selector"
         yield Fault(f"{region.where}.ids", "only vertex ids count in a mesh", todo)
     for fault in form_faults(region.selector):
         place = place_of(region.selector, fault.path) if fault.path else ""

@@ -34,7 +34,7 @@ def by_ids(shape: PartShape, told: Told) -> Chosen:
 def by_figure(shape: PartShape, told: Told) -> Chosen:
     """Return the vertices inside a figure that the user drew in a view."""
     if shape.drawn is None:
-        what = "only FreeCAD knows what was drawn in a view"
+        what = "only FreeCAD knows the figures drawn in a view"
         raise SelectorError(what, "use vertex ids or another selector", ("drawn",))
     return shape.of_vertices(shape.drawn(told["drawn"]))
 

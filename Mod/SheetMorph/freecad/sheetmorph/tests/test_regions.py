@@ -152,7 +152,7 @@ class TestMending(support.DocumentTest):
         second = api.add_handle(assembly, part, mine[:4] + [0, 1], "Second")
         api.take_out(second, handle)
         self.assertEqual(api.vertices(second), [0, 1])
-        with self.assertRaisesRegex(ValueError, "has all of 'Tip'; delete one"):
+        with self.assertRaisesRegex(ValueError, "contains all vertices of 'Tip'; delete one"):
             api.take_out(handle, handle)
         self.assertEqual(api.vertices(handle), mine)
 
