@@ -43,7 +43,7 @@ def test_run_writes_parts_and_report(folder: Path, capsys):
     assert status == 0
     assert os.listdir(folder / "out") == ["plate.obj"]
     assert json.loads((folder / "report.json").read_text())["certificate"]["passed"] is True
-    assert "1 part written, 3 form features rigid" in capsys.readouterr().out
+    assert "1 part written; 3 form features rigid" in capsys.readouterr().out
 
 
 def test_check_says_valid_and_writes_nothing(folder: Path, capsys):
@@ -91,7 +91,7 @@ def test_bad_input_exits_with_2_and_writes_nothing(bad: tuple, folder: Path, cap
     ("text", "message"),
     [
         ("{", "recipe.json, line 1, column 2: not JSON"),
-        ('{"sheetmorph": 1, "sheetmorph": 1}', 'the key "sheetmorph" stands twice'),
+        ('{"sheetmorph": 1, "sheetmorph": 1}', 'the key "sheetmorph" appears twice'),
         ('{"sheetmorph": 1, "parts": [NaN]}', "not a number (NaN)"),
         ("[" * 100000, "not JSON"),
         ("", "not JSON"),
@@ -230,7 +230,7 @@ def copied_package(folder: Path, kernel: str | None) -> str:
     [
         (None, "cannot be loaded"),
         ("raise ImportError('undefined symbol')", "cannot be loaded (undefined symbol)"),
-        ("KERNEL_API = 0", "has interface 0, this package needs 1"),
+        ("KERNEL_API = 0", "has interface 0, but this package needs 1"),
     ],
 )
 def test_a_missing_or_broken_kernel_is_one_sentence(kernel, reason: str, folder: Path, tmp_path):
@@ -267,5 +267,5 @@ def test_an_interrupt_while_writing_leaves_nothing(number: int, folder: Path):
     process.send_signal(number)
     _, error = process.communicate(timeout=30)
     assert process.returncode == 130
-    assert error == "interrupted; no part was written\n"
+    assert error == "interrupted: no part was written\n"
     assert tree(folder) == before

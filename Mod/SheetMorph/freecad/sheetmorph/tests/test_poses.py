@@ -111,7 +111,7 @@ class TestPoses(support.DocumentTest):
         other = api.create_assembly(self.document)
         with self.assertRaisesRegex(ValueError, "not a pose of"):
             api.copy_as_meshes(other, self.high)
-        with self.assertRaisesRegex(ValueError, "same"):
+        with self.assertRaisesRegex(ValueError, "one assembly"):
             api.blend_poses(self.high, api.save_pose(other), 0.5)
 
     def test_they_undo_and_go_with_their_assembly(self):
