@@ -267,7 +267,7 @@ def test_ctrl_c_while_a_shape_is_carried_leaves_no_file(folder: Path):
     assert process.stdout.readline() == "carrying\n"
     process.send_signal(signal.SIGINT)
     _, error = process.communicate(timeout=60)
-    assert (process.returncode, error) == (130, "interrupted; no part was written\n")
+    assert (process.returncode, error) == (130, "interrupted: no part was written\n")
     assert set(folder.iterdir()) == before
 
 

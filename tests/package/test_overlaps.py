@@ -89,7 +89,7 @@ def test_kinds_that_are_left_out_are_told():
     report = bent(lifted(points), triangles, features={"auto": {"kinds": ["round hole"]}}).report()
     assert len(report["features"]) == 1
     told = report["found"]["left_out"]
-    assert told and all('"kinds" leaves holes out' in text for text in told)
+    assert told and all('"kinds" excludes holes' in text for text in told)
 
 
 def layers(count: int) -> tuple[dict[str, Any], dict[str, PartMesh]]:

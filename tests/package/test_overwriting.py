@@ -123,7 +123,7 @@ def test_what_a_command_wrote_it_writes_again_until_somebody_changes_it(folder: 
     assert main(["run", recipe, *ways, "--pose", "high"]) == 0
     (out / "plate.obj").write_text("v 0 0 0\n")
     assert main(["run", recipe, *ways]) == 2
-    assert "plate.obj: it is there already, and SheetMorph did not write it" in (
+    assert "plate.obj: it already exists, and SheetMorph did not write its" in (
         capsys.readouterr().err
     )
     assert (out / "plate.obj").read_text() == "v 0 0 0\n"

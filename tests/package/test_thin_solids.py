@@ -90,7 +90,7 @@ def test_what_is_no_thin_solid_is_told():
     report = automatic.deform().report()
     (note,) = [text for text in report["notes"] if text not in report["warnings"]]
     assert note.startswith('thin "auto" of "plate" has no effect')
-    with pytest.raises(RecipeError, match="it is no thin solid: its surface is not closed"):
+    with pytest.raises(RecipeError, match="it is not a thin solid: its surface is not closed"):
         Session(recipe_of(PLATE, {"thickness": 1.0}, **entries), {"plate": sheet})
 
 

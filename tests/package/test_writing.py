@@ -162,7 +162,7 @@ def test_an_interrupt_between_two_renames_waits_and_the_message_is_true(
     monkeypatch.setattr("sheetmorph.files.atomic.os.replace", interrupted)
     before = set(tree(folder))
     assert main(["run", "recipe.json", "-o", "out", "--report", "report.json"]) == 130
-    assert capsys.readouterr().err == "interrupted; all files were written\n"
+    assert capsys.readouterr().err == "interrupted: all files were written\n"
     assert set(tree(folder)) - before == {"out", "out/plate.obj", "report.json"}
 
 

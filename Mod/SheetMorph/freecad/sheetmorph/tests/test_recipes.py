@@ -157,7 +157,7 @@ class TestOneFolder(RecipeTest):
         assembly = self.rich_morph()
         path = self.exported(assembly)
         before = self.contents()
-        with self.assertRaisesRegex(ValueError, '"morph.json" beside it reads this file'):
+        with self.assertRaisesRegex(ValueError, '"morph.json" next to it reads this file'):
             api.write_parts(assembly, self.path("recipe"))
         self.assertEqual(self.contents(), before)
         again = api.import_recipe(self.new_document(), path)
