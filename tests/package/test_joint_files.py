@@ -144,7 +144,10 @@ def test_what_no_sheet_is_near_stays_and_is_told(folder: Path):
     (told,) = report["joint_files"]
     assert told["left"] == ["2", "3"] and told["moved"] == 1
     text = " ".join(report["notes"])
-    assert 'no part of this recipe is called "77"' in text and "2 joints stay" in text
+    assert (
+        'no part of this recipe is called "77"' in text
+        and "2 joints have no sheet within reach" in text
+    )
     written = (folder / "out" / "points.csv").read_text().splitlines()
     assert written[2:] == table.splitlines()[2:]
     report = run(recipe(folder, {"file": "points.csv", "reach": 120}), folder / "out")

@@ -129,7 +129,7 @@ ONE_FAULT = [
      "features[0] (hole).motion.normal", "no length", "a direction"),
     ("features.0.size", 0, "features[0] (hole).size", "0 is not valid", "diameter"),
     ("groups", [{"features": ["hole", "rim"]}], "groups[0].features", 'no feature "rim"', "names"),
-    ("groups", [{"features": ["hole", "slot"]}], "groups[0].features", "a group needs features of one part",
+    ("groups", [{"features": ["hole", "slot"]}], "groups[0].features", "features of one part",
      'a contact of type "rigid"'),
     ("groups", [{"features": ["hole"]}], "groups[0].features", "it has 1 entry", "at least two"),
     ("coaxial", [{"features": ["hole", "hole"]}], "coaxial[0].features", "named twice", "once"),
