@@ -50,7 +50,7 @@ def test_marks_show_how_far_a_value_may_go():
     assert ends() == (low, high), "the marks of the same value stay"
     picture("reach-beyond")
     yield from enter(child("angle"), "5")
-    yield from until(lambda: child("reach_text").text().startswith("The angle"), "other marks")
+    yield from until(lambda: child("reach_text").text().startswith("Angle"), "other marks")
     yield from press("Cancel")
     assert not Gui.Control.activeDialog()
 

@@ -142,10 +142,8 @@ def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
         text += f" ({share:.2g} % of the triangles)"
         folds = counts["folded_slivers"]
         if folds:
-            text += (
-                f", {folds} of them in bends or folds (shortest edge "
-                f"{edges['shortest']:.2g} {unit})"
-            )
+            shortest = f"{edges['shortest']:.2g} {unit}"
+            text += f", {folds} of them in bends (shortest edge {shortest})"
         is_cured = folds > 0 or share >= _MANY_SLIVERS
         cure = ("remesh", remesh) if is_cured else (None, None)
         yield "slivers", counts["slivers"], text, *cure
