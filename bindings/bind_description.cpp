@@ -56,7 +56,7 @@ Unheld unheld_from(const std::string& name)
         return Unheld::along;
     if (name == "refuse")
         return Unheld::refuse;
-    throw InvalidInput("what nothing holds cannot '" + name + "'",
+    throw InvalidInput("unconstrained pieces cannot '" + name + "'",
                        "use 'rest', 'along' or 'refuse'");
 }
 

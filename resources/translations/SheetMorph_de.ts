@@ -9,23 +9,23 @@
    <translation>Teil hinzufügen</translation>
   </message>
   <message>
-   <source>Adds the selected meshes and shapes to the morph as parts that deform</source>
-   <translation>Fügt dem Morph die gewählten Netze und Formen als Teile hinzu, die sich verformen</translation>
+   <source>Adds the selected meshes and shapes to the morph as parts</source>
+   <translation>Fügt dem Morph die ausgewählten Netze und Formen als Teile hinzu</translation>
   </message>
   <message>
-   <source>What is selected has no faces.</source>
-   <translation>Das Gewählte hat keine Flächen.</translation>
+   <source>The selected objects have no faces. Select meshes or shapes.</source>
+   <translation>Die ausgewählten Objekte haben keine Flächen. Wählen Sie Netze oder Formen aus.</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_BlendPoses</name>
   <message>
    <source>Blend Poses…</source>
-   <translation>Stellungen mischen…</translation>
+   <translation>Stellungen überblenden…</translation>
   </message>
   <message>
-   <source>Goes from one pose to another with a slider, and compares them</source>
-   <translation>Geht mit einem Schieber von einer Stellung zur anderen und vergleicht sie</translation>
+   <source>Blends from one pose to another with a slider, and compares the two</source>
+   <translation>Überblendet mit einem Schieberegler von einer Stellung zur anderen und vergleicht beide</translation>
   </message>
  </context>
  <context>
@@ -35,8 +35,8 @@
    <translation>Zertifikat…</translation>
   </message>
   <message>
-   <source>Writes all deformed parts into a folder, reads them again, measures and judges them</source>
-   <translation>Schreibt alle verformten Teile in einen Ordner, liest sie wieder, misst und beurteilt sie</translation>
+   <source>Writes all deformed parts to a folder, reads them back, and checks them against criteria</source>
+   <translation>Schreibt alle verformten Teile in einen Ordner, liest sie zurück und prüft sie nach Kriterien</translation>
   </message>
   <message>
    <source>Certificate</source>
@@ -54,8 +54,8 @@
    <translation>Installation prüfen</translation>
   </message>
   <message>
-   <source>Shows whether the deformation kernel works, as a report to copy</source>
-   <translation>Zeigt als Bericht zum Kopieren, ob der Verformungskern funktioniert</translation>
+   <source>Checks the deformation kernel and shows a report that you can copy</source>
+   <translation>Prüft den Verformungskern und zeigt einen Bericht, den Sie kopieren können</translation>
   </message>
   <message>
    <source>Copy</source>
@@ -69,8 +69,8 @@
    <translation>Als Netze kopieren</translation>
   </message>
   <message>
-   <source>Copies the parts as ordinary meshes, as they are now or in the selected pose</source>
-   <translation>Kopiert die Teile als gewöhnliche Netze, wie sie jetzt sind oder in der gewählten Stellung</translation>
+   <source>Copies the parts as plain meshes, in their current shape or in the selected pose</source>
+   <translation>Kopiert die Teile als einfache Netze, in ihrer aktuellen Form oder in der ausgewählten Stellung</translation>
   </message>
  </context>
  <context>
@@ -80,8 +80,8 @@
    <translation>In Stellung kopieren</translation>
   </message>
   <message>
-   <source>Copies the whole morph and puts the copy into the selected pose; the original stays</source>
-   <translation>Kopiert den ganzen Morph und bringt die Kopie in die gewählte Stellung; das Original bleibt</translation>
+   <source>Copies the whole morph and applies the selected pose to the copy</source>
+   <translation>Kopiert den ganzen Morph und wendet die ausgewählte Stellung auf die Kopie an</translation>
   </message>
  </context>
  <context>
@@ -91,8 +91,8 @@
    <translation>Morph erzeugen</translation>
   </message>
   <message>
-   <source>Creates a morph; selected meshes and shapes become its parts and stay as they are</source>
-   <translation>Erzeugt einen Morph; gewählte Netze und Formen werden seine Teile und bleiben, wie sie sind</translation>
+   <source>Creates a morph from the selected meshes and shapes, which stay unchanged</source>
+   <translation>Erzeugt einen Morph aus den ausgewählten Netzen und Formen; diese bleiben unverändert</translation>
   </message>
  </context>
  <context>
@@ -102,27 +102,27 @@
    <translation>Verformte Form</translation>
   </message>
   <message>
-   <source>Makes a shape of the selected part, deformed, with the faces of the one it was made from</source>
-   <translation>Macht aus dem gewählten Teil eine verformte Form mit den Flächen derjenigen, aus der es entstand</translation>
+   <source>Creates a deformed CAD shape of the selected part, with the faces of its original shape</source>
+   <translation>Erzeugt eine verformte CAD-Form des ausgewählten Teils mit den Flächen seiner ursprünglichen Form</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_ExportParts</name>
   <message>
-   <source>These files are there already, and SheetMorph did not write them as they are now:</source>
-   <translation>Diese Dateien gibt es schon, und SheetMorph hat sie nicht so geschrieben, wie sie jetzt sind:</translation>
+   <source>These files already exist, and SheetMorph did not write their current content:</source>
+   <translation>Diese Dateien existieren bereits, und ihr aktueller Inhalt stammt nicht von SheetMorph:</translation>
   </message>
   <message>
-   <source>Write over them?</source>
-   <translation>Sollen sie überschrieben werden?</translation>
+   <source>Overwrite them?</source>
+   <translation>Überschreiben?</translation>
   </message>
   <message>
    <source>Export Parts…</source>
    <translation>Teile exportieren…</translation>
   </message>
   <message>
-   <source>Writes all deformed parts into a folder, each in its own file format</source>
-   <translation>Schreibt alle verformten Teile in einen Ordner, jedes in seinem eigenen Dateiformat</translation>
+   <source>Writes all deformed parts to a folder, each in its original file format</source>
+   <translation>Schreibt alle verformten Teile in einen Ordner, jedes in seinem ursprünglichen Dateiformat</translation>
   </message>
   <message>
    <source>Export Parts</source>
@@ -148,11 +148,11 @@
   <name>SheetMorph_FeatureSettings</name>
   <message>
    <source>Form Feature Settings…</source>
-   <translation>Formelement einstellen…</translation>
+   <translation>Formelement-Einstellungen…</translation>
   </message>
   <message>
-   <source>Says how the selected form feature turns, what it may do, and which size it has</source>
-   <translation>Sagt, wie sich das gewählte Formelement dreht, was es darf und welche Größe es hat</translation>
+   <source>Sets the rotation, the motion and the size of the selected form feature</source>
+   <translation>Legt Drehung, Bewegung und Größe des ausgewählten Formelements fest</translation>
   </message>
  </context>
  <context>
@@ -162,8 +162,8 @@
    <translation>Kontakte finden…</translation>
   </message>
   <message>
-   <source>Finds where parts lie on each other or are bolted; those you accept become contacts</source>
-   <translation>Findet, wo Teile aufeinander liegen oder verschraubt sind; was du annimmst, wird Kontakt</translation>
+   <source>Finds where parts touch or are bolted; the ones you accept become contacts</source>
+   <translation>Findet Stellen, an denen sich Teile berühren oder verschraubt sind; was Sie annehmen, wird ein Kontakt</translation>
   </message>
  </context>
  <context>
@@ -173,8 +173,8 @@
    <translation>Formelemente finden…</translation>
   </message>
   <message>
-   <source>Finds holes and other features on all parts; those you accept become form features</source>
-   <translation>Findet Löcher und andere Formelemente auf allen Teilen; was du annimmst, wird Formelement</translation>
+   <source>Finds holes and other features on all parts; the ones you accept become form features</source>
+   <translation>Findet Löcher und andere Formelemente auf allen Teilen; was Sie annehmen, wird ein Formelement</translation>
   </message>
  </context>
  <context>
@@ -184,8 +184,8 @@
    <translation>Abwickeln</translation>
   </message>
   <message>
-   <source>Lays the selected part flat, as it is now and at rest: sketches of its blank and bend lines</source>
-   <translation>Wickelt das gewählte Teil ab, wie es jetzt ist: eine Skizze seines Zuschnitts mit Biegelinien</translation>
+   <source>Flattens the selected part, in its current shape and at rest: sketches of blank and bend lines</source>
+   <translation>Wickelt das ausgewählte Teil ab, in aktueller Form und in Ruhe: Skizzen von Zuschnitt und Biegelinien</translation>
   </message>
  </context>
  <context>
@@ -195,8 +195,8 @@
    <translation>Form folgen</translation>
   </message>
   <message>
-   <source>Meshes the body or shape that the selected part was made from as it is now; what was picked is found again, and what came out different is told and selected</source>
-   <translation>Vernetzt den Körper oder die Form, aus der das gewählte Teil gemacht ist, so wie sie jetzt ist; was gewählt war, wird wiedergefunden, und was anders geworden ist, wird gesagt und ausgewählt</translation>
+   <source>Meshes the changed body or shape of the selected part again and finds its regions on the new mesh; regions that changed are listed and selected</source>
+   <translation>Vernetzt den geänderten Körper oder die geänderte Form des ausgewählten Teils neu und findet die Regionen auf dem neuen Netz; geänderte Regionen werden gemeldet und ausgewählt</translation>
   </message>
   <message>
    <source>“{0}” was {1}. Which one is it now?</source>
@@ -210,91 +210,91 @@
    <translation>Formelemente gruppieren</translation>
   </message>
   <message>
-   <source>Lets the selected form features of a part move as one body</source>
-   <translation>Lässt die gewählten Formelemente eines Teils sich als ein Körper bewegen</translation>
+   <source>Moves the selected form features of a part as one rigid body</source>
+   <translation>Bewegt die ausgewählten Formelemente eines Teils als einen starren Körper</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_Guide</name>
   <message>
    <source>Guide</source>
-   <translation>Wegweiser</translation>
+   <translation>Assistent</translation>
   </message>
   <message>
-   <source>Leads through a morph step by step: says what is missing and opens what is needed</source>
-   <translation>Führt Schritt für Schritt durch einen Morph: sagt, was fehlt, und öffnet, was man braucht</translation>
+   <source>Guides you through a morph step by step: shows what is missing and opens the right panel</source>
+   <translation>Führt Sie Schritt für Schritt durch einen Morph: zeigt, was fehlt, und öffnet die passende Maske</translation>
   </message>
   <message>
    <source>Import a mesh or CAD file, or select meshes in the tree and create a morph.</source>
-   <translation>Importiere ein Netz oder eine CAD-Datei, oder wähle Netze im Baum und erzeuge einen Morph.</translation>
+   <translation>Importieren Sie ein Netz oder eine CAD-Datei, oder wählen Sie Netze im Baum aus und erzeugen Sie einen Morph.</translation>
   </message>
   <message>
-   <source>This document has several morphs: select one of them in the tree.</source>
-   <translation>Dieses Dokument hat mehrere Morphs: wähle einen davon im Baum.</translation>
+   <source>This document has several morphs: select one in the tree.</source>
+   <translation>Dieses Dokument hat mehrere Morphs: Wählen Sie einen im Baum aus.</translation>
   </message>
   <message>
    <source>The morph has no part yet: import a file or add a mesh.</source>
-   <translation>Der Morph hat noch kein Teil: importiere eine Datei oder füge ein Netz hinzu.</translation>
+   <translation>Der Morph hat noch kein Teil: Importieren Sie eine Datei oder fügen Sie ein Netz hinzu.</translation>
   </message>
   <message>
    <source>Parts: {count}; “{primary}” is deformed first.</source>
    <translation>Teile: {count}; „{primary}“ wird zuerst verformt.</translation>
   </message>
   <message>
-   <source>“{source}” was edited: Follow Shape lets “{part}” follow.</source>
-   <translation>„{source}“ wurde bearbeitet: „Form folgen“ lässt „{part}“ folgen.</translation>
+   <source>“{source}” was edited: use Follow Shape to update “{part}”.</source>
+   <translation>„{source}“ wurde bearbeitet: Aktualisieren Sie „{part}“ mit „Form folgen“.</translation>
   </message>
   <message>
-   <source>Nothing is held yet: mark what stays where it is.</source>
-   <translation>Noch hält nichts: markiere, was bleibt, wo es ist.</translation>
+   <source>Nothing is fixed yet: mark a region that stays in place.</source>
+   <translation>Noch ist nichts fest: Markieren Sie eine Region, die an ihrem Ort bleibt.</translation>
   </message>
   <message>
    <source>Fixed regions: {count}.</source>
    <translation>Feste Regionen: {count}.</translation>
   </message>
   <message>
-   <source>No hole keeps its shape yet: find them all, or pick those that matter. Or go on without.</source>
-   <translation>Noch behält kein Loch seine Form: finde alle, oder wähle die wichtigen. Oder mach ohne weiter.</translation>
+   <source>No hole keeps its shape yet: find all holes, mark the important ones, or skip this step.</source>
+   <translation>Noch behält kein Loch seine Form: Finden Sie alle, markieren Sie die wichtigen, oder überspringen Sie diesen Schritt.</translation>
   </message>
   <message>
-   <source>Form features that keep their shape exactly: {count}.</source>
+   <source>Form features that keep their exact shape: {count}.</source>
    <translation>Formelemente, die ihre Form exakt behalten: {count}.</translation>
   </message>
   <message>
-   <source>One part only: there is nothing to connect.</source>
-   <translation>Nur ein Teil: es gibt nichts zu verbinden.</translation>
+   <source>There is only one part: no contact is needed.</source>
+   <translation>Es gibt nur ein Teil: Kontakte sind nicht nötig.</translation>
   </message>
   <message>
-   <source>One control mesh around everything moves all parts.</source>
-   <translation>Ein Steuernetz um alles herum bewegt alle Teile.</translation>
+   <source>A single control mesh around everything moves all parts.</source>
+   <translation>Ein einziges Steuernetz um alles bewegt alle Teile.</translation>
   </message>
   <message>
-   <source>Not connected with “{primary}”, so they would not follow: {parts}.</source>
-   <translation>Nicht mit „{primary}“ verbunden, sie würden also nicht folgen: {parts}.</translation>
+   <source>These parts are not connected to “{primary}” and will not follow: {parts}.</source>
+   <translation>Diese Teile sind nicht mit „{primary}“ verbunden und folgen nicht: {parts}.</translation>
   </message>
   <message>
-   <source>Contacts, reaching every part: {count}.</source>
-   <translation>Kontakte, die jedes Teil erreichen: {count}.</translation>
+   <source>Contacts: {count}; they connect all parts.</source>
+   <translation>Kontakte: {count}; sie verbinden alle Teile.</translation>
   </message>
   <message>
-   <source>Nothing can be moved yet: mark what you want to move.</source>
-   <translation>Noch lässt sich nichts bewegen: markiere, was du bewegen willst.</translation>
+   <source>There is no handle yet: mark a region that you want to move.</source>
+   <translation>Es gibt noch keinen Griff: Markieren Sie eine Region, die Sie bewegen möchten.</translation>
   </message>
   <message>
    <source>Handles: {count}.</source>
    <translation>Griffe: {count}.</translation>
   </message>
   <message>
-   <source>Comes when there is a fixed region and a handle.</source>
-   <translation>Kommt, wenn es eine feste Region und einen Griff gibt.</translation>
+   <source>Available after you mark a fixed region and a handle.</source>
+   <translation>Verfügbar, sobald Sie eine feste Region und einen Griff markiert haben.</translation>
   </message>
   <message>
-   <source>Everything is ready: move the handle and watch.</source>
-   <translation>Alles ist bereit: bewege den Griff und sieh zu.</translation>
+   <source>Everything is ready: move the handle.</source>
+   <translation>Alles ist bereit: Bewegen Sie den Griff.</translation>
   </message>
   <message>
-   <source>Moved. Move on, export the parts, keep this as a pose, or study variants.</source>
-   <translation>Bewegt. Bewegen Sie weiter, exportieren Sie die Teile, behalten Sie dies als Pose oder untersuchen Sie Varianten.</translation>
+   <source>The handle has moved. Move it further, export the parts, save a pose, or run a study.</source>
+   <translation>Der Griff ist bewegt. Bewegen Sie ihn weiter, exportieren Sie die Teile, speichern Sie eine Stellung oder starten Sie eine Studie.</translation>
   </message>
  </context>
  <context>
@@ -304,20 +304,20 @@
    <translation>CAD-Formen vernetzen</translation>
   </message>
   <message>
-   <source>Longest edge (0 mm: a hundredth of the size)</source>
-   <translation>Längste Kante (0 mm: ein Hundertstel der Größe)</translation>
+   <source>Maximum edge length (0 = automatic, 1/100 of the size)</source>
+   <translation>Maximale Kantenlänge (0 = automatisch, 1/100 der Größe)</translation>
   </message>
   <message>
-   <source>“{0}” is no length; type one such as 5 mm.</source>
-   <translation>„{0}“ ist keine Länge; geben Sie eine wie 5 mm ein.</translation>
+   <source>“{0}” is not a length. Enter a length such as 5 mm.</source>
+   <translation>„{0}“ ist keine Länge. Geben Sie eine Länge wie 5 mm ein.</translation>
   </message>
   <message>
    <source>Import Part…</source>
    <translation>Teil importieren…</translation>
   </message>
   <message>
-   <source>Imports a mesh as a part, with its exact positions, every property of a deck, or every solid of a CAD file, meshed</source>
-   <translation>Importiert ein Netz als Teil, mit seinen genauen Koordinaten, jedes Property eines Decks, oder jeden Körper einer CAD-Datei, vernetzt</translation>
+   <source>Imports a mesh, every property of a deck, or every solid of a CAD file as parts</source>
+   <translation>Importiert ein Netz, jedes Property eines Decks oder jeden Körper einer CAD-Datei als Teile</translation>
   </message>
   <message>
    <source>Import Part</source>
@@ -331,8 +331,8 @@
    <translation>Rezept importieren…</translation>
   </message>
   <message>
-   <source>Creates a morph from a recipe and the mesh files it names</source>
-   <translation>Erzeugt einen Morph aus einem Rezept und den Netzdateien, die es nennt</translation>
+   <source>Creates a morph from a recipe and its mesh files</source>
+   <translation>Erzeugt einen Morph aus einem Rezept und seinen Netzdateien</translation>
   </message>
   <message>
    <source>Import Recipe</source>
@@ -346,8 +346,8 @@
    <translation>Abstand halten</translation>
   </message>
   <message>
-   <source>Lets two selected form features, of one part or of two, keep their distance</source>
-   <translation>Lässt zwei gewählte Formelemente, eines Teils oder zweier, ihren Abstand behalten</translation>
+   <source>Keeps the distance between two selected form features, on one part or on two</source>
+   <translation>Hält den Abstand zwischen zwei ausgewählten Formelementen, auf einem Teil oder auf zweien</translation>
   </message>
  </context>
  <context>
@@ -357,8 +357,8 @@
    <translation>Koaxial machen</translation>
   </message>
   <message>
-   <source>Lets two selected form features, of one part or of two, keep their common axis</source>
-   <translation>Lässt zwei gewählte Formelemente, eines Teils oder zweier, ihre gemeinsame Achse behalten</translation>
+   <source>Keeps two selected form features on a common axis, on one part or on two</source>
+   <translation>Hält zwei ausgewählte Formelemente auf einer gemeinsamen Achse, auf einem Teil oder auf zweien</translation>
   </message>
  </context>
  <context>
@@ -368,8 +368,8 @@
    <translation>Kontakt markieren…</translation>
   </message>
   <message>
-   <source>Joins two parts where they touch, so that one follows the other; select both, or click on them in the panel</source>
-   <translation>Verbindet zwei Teile, wo sie sich berühren, so dass eines dem anderen folgt; wähle beide, oder klicke sie im Panel an</translation>
+   <source>Joins two parts where they touch, so that one follows the other. Select both parts, or click on them in the 3D view</source>
+   <translation>Verbindet zwei Teile an ihrer Berührstelle, sodass eines dem anderen folgt. Wählen Sie beide Teile aus, oder klicken Sie sie in der 3D-Ansicht an</translation>
   </message>
  </context>
  <context>
@@ -379,7 +379,7 @@
    <translation>Formelemente markieren…</translation>
   </message>
   <message>
-   <source>Marks holes and other form features that move but keep their shape</source>
+   <source>Marks holes and other form features, which move but keep their shape</source>
    <translation>Markiert Löcher und andere Formelemente, die sich bewegen, aber ihre Form behalten</translation>
   </message>
  </context>
@@ -390,19 +390,19 @@
    <translation>Feste Region markieren…</translation>
   </message>
   <message>
-   <source>Marks a region that stays where it is, by picking in the 3D view</source>
-   <translation>Markiert durch Anklicken in der 3D-Ansicht eine Region, die bleibt, wo sie ist</translation>
+   <source>Marks a region that stays in place, by picking in the 3D view</source>
+   <translation>Markiert durch Anklicken in der 3D-Ansicht eine Region, die an ihrem Ort bleibt</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_MarkFollower</name>
   <message>
    <source>Mark Follower…</source>
-   <translation>Mitläufer markieren…</translation>
+   <translation>Folgeregion markieren…</translation>
   </message>
   <message>
-   <source>Marks a region that goes with the control meshes of the part's contacts</source>
-   <translation>Markiert eine Region, die mit den Steuernetzen der Kontakte ihres Teils geht</translation>
+   <source>Marks a region that follows the control meshes of the part's contacts</source>
+   <translation>Markiert eine Region, die den Steuernetzen der Kontakte ihres Teils folgt</translation>
   </message>
  </context>
  <context>
@@ -412,8 +412,8 @@
    <translation>Griff markieren…</translation>
   </message>
   <message>
-   <source>Marks a region that is moved and turned as you say; the part follows</source>
-   <translation>Markiert eine Region, die bewegt und gedreht wird, wie du es sagst; das Teil folgt</translation>
+   <source>Marks a region that you move and turn; the part follows</source>
+   <translation>Markiert eine Region, die Sie bewegen und drehen; das Teil folgt</translation>
   </message>
  </context>
  <context>
@@ -423,8 +423,8 @@
    <translation>Griff bewegen…</translation>
   </message>
   <message>
-   <source>Moves and turns a handle; the parts follow while you change the values</source>
-   <translation>Bewegt und dreht einen Griff; die Teile folgen, während du die Werte änderst</translation>
+   <source>Moves and turns a handle; the parts follow as you change the values</source>
+   <translation>Bewegt und dreht einen Griff; die Teile folgen, während Sie die Werte ändern</translation>
   </message>
  </context>
  <context>
@@ -434,8 +434,8 @@
    <translation>Beispiel öffnen…</translation>
   </message>
   <message>
-   <source>Opens an example assembly whose regions are marked, ready to move</source>
-   <translation>Öffnet eine Beispielbaugruppe, deren Regionen markiert sind, bereit zum Bewegen</translation>
+   <source>Opens an example assembly that is ready to move</source>
+   <translation>Öffnet eine Beispielbaugruppe, die Sie sofort bewegen können</translation>
   </message>
   <message>
    <source>Open Example</source>
@@ -453,8 +453,8 @@
    <translation>Netz vorbereiten…</translation>
   </message>
   <message>
-   <source>Tells what is wrong with the mesh of the selected part, cures it and meshes it anew</source>
-   <translation>Sagt, was am Netz des gewählten Teils nicht stimmt, behebt es und vernetzt neu</translation>
+   <source>Checks the mesh of the selected part, repairs it and remeshes it</source>
+   <translation>Prüft das Netz des ausgewählten Teils, repariert es und vernetzt es neu</translation>
   </message>
  </context>
  <context>
@@ -464,8 +464,8 @@
    <translation>Ausbreitung…</translation>
   </message>
   <message>
-   <source>Shows how the motion goes from the primary part through the contacts to the others</source>
-   <translation>Zeigt, wie die Bewegung vom Hauptteil über die Kontakte zu den anderen gelangt</translation>
+   <source>Shows how the motion spreads from the primary part through the contacts</source>
+   <translation>Zeigt, wie sich die Bewegung vom Hauptteil über die Kontakte ausbreitet</translation>
   </message>
  </context>
  <context>
@@ -475,8 +475,8 @@
    <translation>Datei ersetzen…</translation>
   </message>
   <message>
-   <source>Reads the changed file of the selected part; what was picked on it is found again, and what came out different is told and selected</source>
-   <translation>Liest die geänderte Datei des gewählten Teils; was darauf gewählt war, wird wiedergefunden, und was anders ausfiel, wird gesagt und markiert</translation>
+   <source>Reads the changed file of the selected part and finds its regions on the new mesh; regions that changed are listed and selected</source>
+   <translation>Liest die geänderte Datei des ausgewählten Teils und findet die Regionen auf dem neuen Netz; geänderte Regionen werden gemeldet und ausgewählt</translation>
   </message>
   <message>
    <source>Replace File</source>
@@ -490,8 +490,8 @@
    <translation>Bewegung zurücksetzen</translation>
   </message>
   <message>
-   <source>Puts the selected handles, else all handles of the morph, back to rest</source>
-   <translation>Bringt die gewählten Griffe, sonst alle Griffe des Morphs, in Ruhelage</translation>
+   <source>Returns the selected handles, or all handles of the morph, to rest</source>
+   <translation>Bringt die ausgewählten Griffe, sonst alle Griffe des Morphs, in die Ruhelage zurück</translation>
   </message>
  </context>
  <context>
@@ -501,20 +501,20 @@
    <translation>Stellung speichern…</translation>
   </message>
   <message>
-   <source>Keeps where all handles are now, under a name to come back to</source>
-   <translation>Behält, wo alle Griffe jetzt sind, unter einem Namen, um zurückzukommen</translation>
+   <source>Saves the current positions of all handles under a name</source>
+   <translation>Speichert die aktuellen Lagen aller Griffe unter einem Namen</translation>
   </message>
   <message>
    <source>Save Pose</source>
-   <translation>Pose speichern</translation>
+   <translation>Stellung speichern</translation>
   </message>
   <message>
    <source>Name of the pose</source>
-   <translation>Name der Pose</translation>
+   <translation>Name der Stellung</translation>
   </message>
   <message>
    <source>Pose {0}</source>
-   <translation>Pose {0}</translation>
+   <translation>Stellung {0}</translation>
   </message>
  </context>
  <context>
@@ -524,8 +524,8 @@
    <translation>Zum Hauptteil machen</translation>
   </message>
   <message>
-   <source>Makes the selected part the primary: it is deformed first, the others follow it</source>
-   <translation>Macht das gewählte Teil zum Hauptteil: es wird zuerst verformt, die anderen folgen ihm</translation>
+   <source>Makes the selected part the primary part, which is deformed first; the others follow it</source>
+   <translation>Macht das ausgewählte Teil zum Hauptteil, das zuerst verformt wird; die anderen folgen ihm</translation>
   </message>
  </context>
  <context>
@@ -535,8 +535,8 @@
    <translation>Studie…</translation>
   </message>
   <message>
-   <source>Computes many variants in the background, each certified, and shows them in a table</source>
-   <translation>Rechnet im Hintergrund viele Varianten, jede geprüft, und zeigt sie in einer Tabelle</translation>
+   <source>Computes and certifies many variants in the background and lists them in a table</source>
+   <translation>Berechnet und zertifiziert im Hintergrund viele Varianten und listet sie in einer Tabelle auf</translation>
   </message>
  </context>
  <context>
@@ -546,19 +546,19 @@
    <translation>Dicke…</translation>
   </message>
   <message>
-   <source>Shows in colours how thick the selected part is, and lets it bend as one sheet</source>
-   <translation>Zeigt in Farben, wie dick das gewählte Teil ist, und lässt es sich als ein Blech biegen</translation>
+   <source>Shows the thickness of the selected part in colours, and lets the part bend as one sheet</source>
+   <translation>Zeigt die Dicke des ausgewählten Teils in Farben und lässt es sich als ein Blech biegen</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_actions</name>
   <message>
-   <source>This is a mistake of the program ({0}). Please report it.</source>
-   <translation>Das ist ein Fehler des Programms ({0}). Bitte melden Sie ihn.</translation>
+   <source>SheetMorph has a bug ({0}). Please report it.</source>
+   <translation>SheetMorph hat einen Programmfehler ({0}). Bitte melden Sie ihn.</translation>
   </message>
   <message>
-   <source>Cancelled; nothing was changed.</source>
-   <translation>Abgebrochen; nichts wurde geändert.</translation>
+   <source>Cancelled. Nothing was changed.</source>
+   <translation>Abgebrochen. Nichts wurde geändert.</translation>
   </message>
   <message>
    <source>Cancel</source>
@@ -580,8 +580,8 @@
    <translation>Teile</translation>
   </message>
   <message>
-   <source>The part on this side; or click on it in the 3D view</source>
-   <translation>Das Teil auf dieser Seite; oder klicke es in der 3D-Ansicht an</translation>
+   <source>The part on this side. You can also click on it in the 3D view</source>
+   <translation>Das Teil auf dieser Seite. Sie können es auch in der 3D-Ansicht anklicken</translation>
   </message>
   <message>
    <source>Type</source>
@@ -593,19 +593,19 @@
   </message>
   <message>
    <source>In use</source>
-   <translation>In Gebrauch</translation>
+   <translation>Aktiv</translation>
   </message>
   <message>
-   <source>Off: the contact is kept but moves nothing, as if the weld were open</source>
-   <translation>Aus: der Kontakt bleibt erhalten, bewegt aber nichts, als wäre die Schweißnaht offen</translation>
+   <source>Off: the contact stays in the document but transfers no motion</source>
+   <translation>Aus: Der Kontakt bleibt im Dokument, überträgt aber keine Bewegung</translation>
   </message>
   <message>
    <source>Vertices</source>
-   <translation>Vertices</translation>
+   <translation>Knoten</translation>
   </message>
   <message>
-   <source>Which vertices of both parts are joined</source>
-   <translation>Welche Vertices beider Teile verbunden sind</translation>
+   <source>The vertices of both parts that the contact joins</source>
+   <translation>Die Knoten beider Teile, die der Kontakt verbindet</translation>
   </message>
   <message>
    <source>Within the gap distance</source>
@@ -621,7 +621,7 @@
   </message>
   <message>
    <source>Gap distance: vertices within this distance of the other part belong to the contact</source>
-   <translation>Spaltabstand: Vertices innerhalb dieses Abstands vom anderen Teil gehören zum Kontakt</translation>
+   <translation>Spaltabstand: Knoten innerhalb dieses Abstands vom anderen Teil gehören zum Kontakt</translation>
   </message>
   <message>
    <source>Pick</source>
@@ -639,16 +639,16 @@
    <translation>Drehung</translation>
   </message>
   <message>
-   <source>What decides how the form feature turns</source>
-   <translation>Was entscheidet, wie sich das Formelement dreht</translation>
+   <source>How the rotation of the form feature is determined</source>
+   <translation>Wodurch die Drehung des Formelements bestimmt wird</translation>
   </message>
   <message>
-   <source>Free: the sheet turns it</source>
-   <translation>Frei: das Blech dreht es</translation>
+   <source>Free: follows the sheet</source>
+   <translation>Frei: folgt dem Blech</translation>
   </message>
   <message>
-   <source>Interpolated: as the handles turn</source>
-   <translation>Interpoliert: wie sich die Griffe drehen</translation>
+   <source>Interpolated: follows the handles</source>
+   <translation>Interpoliert: folgt den Griffen</translation>
   </message>
   <message>
    <source>Prescribed</source>
@@ -675,36 +675,36 @@
    <translation>Winkel</translation>
   </message>
   <message>
-   <source>Angle of the rotation, any number of turns</source>
-   <translation>Drehwinkel, beliebig viele Umdrehungen</translation>
+   <source>Angle of the rotation; more than one turn is possible</source>
+   <translation>Drehwinkel; mehr als eine Umdrehung ist möglich</translation>
   </message>
   <message>
    <source>Motion</source>
    <translation>Bewegung</translation>
   </message>
   <message>
-   <source>What the form feature may do</source>
-   <translation>Was das Formelement darf</translation>
+   <source>The motion that the form feature is allowed</source>
+   <translation>Die Bewegung, die dem Formelement erlaubt ist</translation>
   </message>
   <message>
    <source>Free</source>
    <translation>Frei</translation>
   </message>
   <message>
-   <source>Fixed: stays where it is</source>
-   <translation>Fest: bleibt, wo es ist</translation>
+   <source>Fixed: stays in place</source>
+   <translation>Fest: bleibt an seinem Ort</translation>
   </message>
   <message>
-   <source>Translation: never turns</source>
-   <translation>Verschiebung: dreht sich nie</translation>
+   <source>Translation: does not turn</source>
+   <translation>Verschiebung: dreht sich nicht</translation>
   </message>
   <message>
-   <source>Plane: shifts in a plane</source>
-   <translation>Ebene: verschiebt sich in einer Ebene</translation>
+   <source>Plane: moves in a plane</source>
+   <translation>Ebene: bewegt sich in einer Ebene</translation>
   </message>
   <message>
-   <source>Line: shifts along a line</source>
-   <translation>Gerade: verschiebt sich entlang einer Geraden</translation>
+   <source>Line: moves along a line</source>
+   <translation>Gerade: bewegt sich entlang einer Geraden</translation>
   </message>
   <message>
    <source>Axis: turns about an axis</source>
@@ -747,8 +747,8 @@
    <translation>Größe</translation>
   </message>
   <message>
-   <source>Gives the hole, slot or cylinder a size of its own; the sheet around follows</source>
-   <translation>Gibt dem Loch, Langloch oder Zylinder eine eigene Größe; das Blech darum folgt</translation>
+   <source>Sets the size of the hole, slot or cylinder; the sheet around it follows</source>
+   <translation>Legt die Größe von Loch, Langloch oder Zylinder fest; das Blech ringsum folgt</translation>
   </message>
   <message>
    <source>Diameter of a hole, length of a slot, radius of a cylinder</source>
@@ -759,51 +759,79 @@
    <translation>Beziehung</translation>
   </message>
   <message>
-   <source>What the form feature keeps with the others that are ticked</source>
-   <translation>Was das Formelement mit den anderen angehakten einhält</translation>
+   <source>Relation between this form feature and the ticked ones</source>
+   <translation>Beziehung zwischen diesem Formelement und den angehakten</translation>
   </message>
   <message>
-   <source>None to add</source>
-   <translation>Keine hinzufügen</translation>
+   <source>No new relation</source>
+   <translation>Keine neue Beziehung</translation>
   </message>
   <message>
    <source>Group: moves as one body with…</source>
    <translation>Gruppe: bewegt sich als ein Körper mit…</translation>
   </message>
   <message>
-   <source>Coaxial: keeps its axis with…</source>
-   <translation>Koaxial: behält seine Achse mit…</translation>
+   <source>Coaxial: shares its axis with…</source>
+   <translation>Koaxial: teilt seine Achse mit…</translation>
   </message>
   <message>
    <source>Distance: keeps its distance to…</source>
    <translation>Abstand: behält seinen Abstand zu…</translation>
   </message>
   <message>
-   <source>The form features it is related to</source>
-   <translation>Die Formelemente, mit denen es in Beziehung steht</translation>
+   <source>Form features for the new relation</source>
+   <translation>Formelemente für die neue Beziehung</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_find</name>
   <message>
+   <source>Already in the document</source>
+   <translation>Bereits im Dokument</translation>
+  </message>
+  <message>
    <source>Find Features</source>
    <translation>Formelemente finden</translation>
+  </message>
+  <message>
+   <source>Feature</source>
+   <translation>Formelement</translation>
+  </message>
+  <message>
+   <source>Size</source>
+   <translation>Größe</translation>
+  </message>
+  <message>
+   <source>Deviation</source>
+   <translation>Abweichung</translation>
   </message>
   <message>
    <source>Find Contacts</source>
    <translation>Kontakte finden</translation>
   </message>
   <message>
-   <source>Size: diameter or length. Quality: how far the rim is off its form.</source>
-   <translation>Größe: Durchmesser oder Länge. Güte: wie weit der Rand von seiner Form abweicht.</translation>
+   <source>Contact</source>
+   <translation>Kontakt</translation>
   </message>
   <message>
-   <source>Size: of the place. Gap: between the parts, measured in the middle.</source>
-   <translation>Größe: der Stelle. Spalt: zwischen den Teilen, in der Mitte gemessen.</translation>
+   <source>Type</source>
+   <translation>Typ</translation>
+  </message>
+  <message>
+   <source>Gap</source>
+   <translation>Spalt</translation>
+  </message>
+  <message>
+   <source>Size: diameter or length. Deviation: distance of the rim from its ideal form.</source>
+   <translation>Größe: Durchmesser oder Länge. Abweichung: Abstand des Rands von seiner Idealform.</translation>
+  </message>
+  <message>
+   <source>Size of the contact area; median gap.</source>
+   <translation>Größe der Kontaktfläche; mittlerer Spalt (Median).</translation>
   </message>
   <message>
    <source>Find</source>
-   <translation>Finden</translation>
+   <translation>Suchen</translation>
   </message>
   <message>
    <source>Show</source>
@@ -814,44 +842,44 @@
    <translation>Art</translation>
   </message>
   <message>
-   <source>Shows one kind only; what is not shown is not taken</source>
-   <translation>Zeigt nur eine Art; was nicht gezeigt wird, wird nicht genommen</translation>
+   <source>Shows one kind only. Hidden rows are not created</source>
+   <translation>Zeigt nur eine Art. Ausgeblendete Zeilen werden nicht erzeugt</translation>
   </message>
   <message>
    <source>From</source>
    <translation>Von</translation>
   </message>
   <message>
-   <source>Hides what is smaller; what is hidden is not taken</source>
-   <translation>Verbirgt, was kleiner ist; was verborgen ist, wird nicht genommen</translation>
+   <source>Hides smaller ones. Hidden rows are not created</source>
+   <translation>Blendet kleinere aus. Ausgeblendete Zeilen werden nicht erzeugt</translation>
   </message>
   <message>
    <source>to</source>
    <translation>bis</translation>
   </message>
   <message>
-   <source>Hides what is larger; what is hidden is not taken</source>
-   <translation>Verbirgt, was größer ist; was verborgen ist, wird nicht genommen</translation>
+   <source>Hides larger ones. Hidden rows are not created</source>
+   <translation>Blendet größere aus. Ausgeblendete Zeilen werden nicht erzeugt</translation>
   </message>
   <message>
    <source>any size</source>
    <translation>jede Größe</translation>
   </message>
   <message>
-   <source>What was found; what is checked is taken. What the mouse is over lights up in the view</source>
-   <translation>Was gefunden wurde; Angehaktes wird genommen. Worüber die Maus steht, leuchtet in der Ansicht auf</translation>
+   <source>Checked rows are created. The row under the mouse lights up in the 3D view</source>
+   <translation>Angehakte Zeilen werden erzeugt. Die Zeile unter der Maus leuchtet in der 3D-Ansicht auf</translation>
   </message>
   <message>
-   <source>Checks everything that is shown</source>
-   <translation>Hakt alles an, was gezeigt wird</translation>
+   <source>Checks all visible rows</source>
+   <translation>Hakt alle sichtbaren Zeilen an</translation>
   </message>
   <message>
    <source>All</source>
    <translation>Alle</translation>
   </message>
   <message>
-   <source>Unchecks everything</source>
-   <translation>Nimmt alle Haken weg</translation>
+   <source>Unchecks all visible rows</source>
+   <translation>Nimmt alle sichtbaren Haken weg</translation>
   </message>
   <message>
    <source>None</source>
@@ -862,103 +890,103 @@
    <translation>Toleranzen</translation>
   </message>
   <message>
-   <source>Rim off a circle, up to</source>
-   <translation>Rand neben einem Kreis, bis</translation>
+   <source>Roundness tolerance</source>
+   <translation>Rundheitstoleranz</translation>
   </message>
   <message>
-   <source>Largest distance of a rim vertex from the circle, of its radius</source>
-   <translation>Größter Abstand eines Randvertex vom Kreis, bezogen auf dessen Radius</translation>
+   <source>Largest distance of a rim vertex from the fitted circle, relative to its radius</source>
+   <translation>Größter Abstand eines Randknotens vom angepassten Kreis, bezogen auf dessen Radius</translation>
   </message>
   <message>
-   <source>An edge bends more than</source>
-   <translation>Eine Kante knickt mehr als</translation>
+   <source>Edge angle</source>
+   <translation>Kantenwinkel</translation>
   </message>
   <message>
-   <source>Where the surface bends more than this it has an edge</source>
-   <translation>Wo die Fläche mehr als dies knickt, hat sie eine Kante</translation>
+   <source>The surface has an edge where it bends by more than this angle</source>
+   <translation>Die Fläche hat eine Kante, wo sie um mehr als diesen Winkel knickt</translation>
   </message>
   <message>
-   <source>Washer rings</source>
-   <translation>Unterlegringe</translation>
+   <source>Rings around hole</source>
+   <translation>Ringe um Loch</translation>
   </message>
   <message>
-   <source>Rings of triangles around a hole that keep their form with it</source>
-   <translation>Ringe von Dreiecken um ein Loch, die mit ihm ihre Form behalten</translation>
+   <source>Number of triangle rings around a hole that keep their shape with it</source>
+   <translation>Anzahl der Dreiecksringe um ein Loch, die mit ihm ihre Form behalten</translation>
   </message>
   <message>
-   <source>All kinds, surfaces and beads too</source>
-   <translation>Alle Arten, auch Flächen und Sicken</translation>
+   <source>Also surfaces and beads</source>
+   <translation>Auch Flächen und Sicken</translation>
   </message>
   <message>
-   <source>Proposes planes, cylinders, flanges and beads as well</source>
+   <source>Also proposes planes, cylinders, flanges and beads</source>
    <translation>Schlägt auch Ebenen, Zylinder, Flansche und Sicken vor</translation>
   </message>
   <message>
    <source>Largest gap</source>
-   <translation>Größter Abstand</translation>
+   <translation>Größter Spalt</translation>
   </message>
   <message>
-   <source>Parts farther apart are not in contact; 0: as is proposed for these parts</source>
-   <translation>Teile mit größerem Abstand sind nicht in Kontakt; 0: wie für diese Teile vorgeschlagen</translation>
+   <source>Parts farther apart are not in contact. 0: the proposed value for these parts</source>
+   <translation>Teile mit größerem Abstand sind nicht in Kontakt. 0: der für diese Teile vorgeschlagene Wert</translation>
   </message>
   <message>
-   <source>as proposed</source>
-   <translation>wie vorgeschlagen</translation>
+   <source>automatic</source>
+   <translation>automatisch</translation>
   </message>
   <message>
-   <source>Surfaces face within</source>
-   <translation>Flächen stehen sich gegenüber bis</translation>
+   <source>Facing tolerance</source>
+   <translation>Winkeltoleranz</translation>
   </message>
   <message>
    <source>Largest angle between two surfaces in contact</source>
    <translation>Größter Winkel zwischen zwei Flächen in Kontakt</translation>
   </message>
   <message>
-   <source>One contact for two parts</source>
-   <translation>Ein Kontakt für zwei Teile</translation>
+   <source>One contact per pair of parts</source>
+   <translation>Ein Kontakt je Teilepaar</translation>
   </message>
   <message>
-   <source>Joins all places in which two parts touch into one contact</source>
+   <source>Joins all places where two parts touch into one contact</source>
    <translation>Fasst alle Stellen, an denen sich zwei Teile berühren, zu einem Kontakt zusammen</translation>
   </message>
   <message>
-   <source>Searches anew with these tolerances</source>
-   <translation>Sucht neu mit diesen Toleranzen</translation>
+   <source>Searches again with these tolerances</source>
+   <translation>Sucht erneut mit diesen Toleranzen</translation>
   </message>
   <message>
    <source>Search Again</source>
-   <translation>Neu suchen</translation>
+   <translation>Erneut suchen</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_guide</name>
   <message>
    <source>Guide</source>
-   <translation>Wegweiser</translation>
+   <translation>Assistent</translation>
   </message>
   <message>
-   <source>The morph that the guide speaks of: the selected one, or the only one</source>
-   <translation>Der Morph, von dem der Wegweiser spricht: der gewählte, oder der einzige</translation>
+   <source>The morph of this guide: the selected one, or the only one in the document</source>
+   <translation>Der Morph dieses Assistenten: der ausgewählte oder der einzige im Dokument</translation>
   </message>
   <message>
    <source>1  Parts</source>
    <translation>1  Teile</translation>
   </message>
   <message>
-   <source>2  What stays</source>
-   <translation>2  Was bleibt</translation>
+   <source>2  Fixed regions</source>
+   <translation>2  Feste Regionen</translation>
   </message>
   <message>
-   <source>3  What keeps its shape</source>
-   <translation>3  Was seine Form behält</translation>
+   <source>3  Form features</source>
+   <translation>3  Formelemente</translation>
   </message>
   <message>
-   <source>4  What is joined</source>
-   <translation>4  Was verbunden ist</translation>
+   <source>4  Contacts</source>
+   <translation>4  Kontakte</translation>
   </message>
   <message>
-   <source>5  What moves</source>
-   <translation>5  Was sich bewegt</translation>
+   <source>5  Handles</source>
+   <translation>5  Griffe</translation>
   </message>
   <message>
    <source>6  Move</source>
@@ -969,15 +997,15 @@
   <name>SheetMorph_menus</name>
   <message>
    <source>Do Not Use Contact</source>
-   <translation>Kontakt nicht verwenden</translation>
+   <translation>Kontakt deaktivieren</translation>
   </message>
   <message>
    <source>Use Contact</source>
-   <translation>Kontakt verwenden</translation>
+   <translation>Kontakt aktivieren</translation>
   </message>
   <message>
-   <source>Show What Is Wrong</source>
-   <translation>Zeigen, was nicht stimmt</translation>
+   <source>Show Problem</source>
+   <translation>Problem zeigen</translation>
   </message>
   <message>
    <source>Propagation…</source>
@@ -1013,7 +1041,7 @@
   </message>
   <message>
    <source>Form Feature Settings…</source>
-   <translation>Formelement einstellen…</translation>
+   <translation>Formelement-Einstellungen…</translation>
   </message>
  </context>
  <context>
@@ -1027,8 +1055,8 @@
    <translation>Griff</translation>
   </message>
   <message>
-   <source>The handle that is moved</source>
-   <translation>Der Griff, der bewegt wird</translation>
+   <source>The handle to move</source>
+   <translation>Der Griff, den Sie bewegen</translation>
   </message>
   <message>
    <source>Translation</source>
@@ -1099,24 +1127,24 @@
    <translation>z-Komponente der Achse</translation>
   </message>
   <message>
-   <source>How far the value that was changed last may go: red beyond, where something breaks. The mark is where it is</source>
-   <translation>Wie weit der zuletzt geänderte Wert gehen darf: rot, wo etwas nicht mehr hält. Die Marke steht, wo er ist</translation>
+   <source>Admissible range of the value that you changed last: green is possible, red is not. The mark shows the current value</source>
+   <translation>Zulässiger Bereich des zuletzt geänderten Werts: Grün ist möglich, Rot nicht. Die Marke zeigt den aktuellen Wert</translation>
   </message>
   <message>
    <source>Pivot</source>
    <translation>Drehpunkt</translation>
   </message>
   <message>
-   <source>X of the point that the handle turns about</source>
-   <translation>X des Punkts, um den sich der Griff dreht</translation>
+   <source>X of the centre of rotation</source>
+   <translation>X des Drehpunkts</translation>
   </message>
   <message>
-   <source>Y of the point that the handle turns about</source>
-   <translation>Y des Punkts, um den sich der Griff dreht</translation>
+   <source>Y of the centre of rotation</source>
+   <translation>Y des Drehpunkts</translation>
   </message>
   <message>
-   <source>Z of the point that the handle turns about</source>
-   <translation>Z des Punkts, um den sich der Griff dreht</translation>
+   <source>Z of the centre of rotation</source>
+   <translation>Z des Drehpunkts</translation>
   </message>
   <message>
    <source>Centre of Handle</source>
@@ -1124,15 +1152,15 @@
   </message>
   <message>
    <source>Turns about the centre of the handle's vertices</source>
-   <translation>Dreht um die Mitte der Vertices des Griffs</translation>
+   <translation>Dreht um die Mitte der Knoten des Griffs</translation>
   </message>
   <message>
    <source>Move</source>
    <translation>Verschieben</translation>
   </message>
   <message>
-   <source>The arrows move the pivot; the shape stays as it is</source>
-   <translation>Die Pfeile verschieben den Drehpunkt; die Form bleibt, wie sie ist</translation>
+   <source>The arrows move the pivot; the shape stays unchanged</source>
+   <translation>Die Pfeile verschieben den Drehpunkt; die Form bleibt unverändert</translation>
   </message>
   <message>
    <source>Mouse</source>
@@ -1143,32 +1171,32 @@
    <translation>Pfeile</translation>
   </message>
   <message>
-   <source>Shows arrows and arcs in the 3D view that drag the handle</source>
-   <translation>Zeigt in der 3D-Ansicht Pfeile und Bögen, die den Griff ziehen</translation>
+   <source>Shows arrows and arcs in the 3D view for dragging the handle</source>
+   <translation>Zeigt in der 3D-Ansicht Pfeile und Bögen zum Ziehen des Griffs</translation>
   </message>
   <message>
    <source>Drag points</source>
    <translation>Punkte ziehen</translation>
   </message>
   <message>
-   <source>Drags the point under the mouse in the plane of the view; the sheet decides how it turns. A point that is in no handle becomes one</source>
-   <translation>Zieht den Punkt unter der Maus in der Bildebene; das Blech entscheidet, wie er sich dreht. Ein Punkt, der in keinem Griff ist, wird einer</translation>
+   <source>Drags the point under the mouse in the plane of the view; its rotation follows the sheet. A point outside every handle becomes a new handle</source>
+   <translation>Zieht den Punkt unter der Maus in der Bildebene; seine Drehung folgt dem Blech. Ein Punkt außerhalb aller Griffe wird ein neuer Griff</translation>
   </message>
   <message>
    <source>Snap to</source>
    <translation>Einrasten auf</translation>
   </message>
   <message>
-   <source>Drags the arrows in steps</source>
-   <translation>Zieht die Pfeile in Schritten</translation>
+   <source>Drags in steps</source>
+   <translation>Zieht in Schritten</translation>
   </message>
   <message>
-   <source>Steps of a translation</source>
-   <translation>Schritte einer Verschiebung</translation>
+   <source>Step of translations</source>
+   <translation>Schrittweite von Verschiebungen</translation>
   </message>
   <message>
-   <source>Steps of a rotation</source>
-   <translation>Schritte einer Drehung</translation>
+   <source>Step of rotations</source>
+   <translation>Schrittweite von Drehungen</translation>
   </message>
   <message>
    <source>Show</source>
@@ -1179,32 +1207,32 @@
    <translation>Original</translation>
   </message>
   <message>
-   <source>Shows the shape at rest as a ghost</source>
-   <translation>Zeigt die Form in Ruhe als Geist</translation>
+   <source>Shows the shape at rest, transparent</source>
+   <translation>Zeigt die Form in Ruhe durchscheinend</translation>
   </message>
   <message>
    <source>Form features</source>
    <translation>Formelemente</translation>
   </message>
   <message>
-   <source>Shows how far every form feature moves and turns</source>
-   <translation>Zeigt, wie weit sich jedes Formelement verschiebt und dreht</translation>
+   <source>Shows the displacement and the rotation of every form feature</source>
+   <translation>Zeigt Verschiebung und Drehung jedes Formelements</translation>
   </message>
   <message>
    <source>Control meshes</source>
    <translation>Steuernetze</translation>
   </message>
   <message>
-   <source>Shows the control meshes of contacts as wires that move along</source>
-   <translation>Zeigt die Steuernetze der Kontakte als Drahtgitter, die sich mitbewegen</translation>
+   <source>Shows the control meshes of the contacts as wireframes</source>
+   <translation>Zeigt die Steuernetze der Kontakte als Drahtgitter</translation>
   </message>
   <message>
    <source>Colours</source>
    <translation>Farben</translation>
   </message>
   <message>
-   <source>What the colours of the parts say</source>
-   <translation>Was die Farben der Teile sagen</translation>
+   <source>The quantity that the colours of the parts show</source>
+   <translation>Die Größe, die die Farben der Teile zeigen</translation>
   </message>
   <message>
    <source>None</source>
@@ -1212,7 +1240,7 @@
   </message>
   <message>
    <source>Displacement</source>
-   <translation>Verschiebungsweg</translation>
+   <translation>Verschiebung</translation>
   </message>
   <message>
    <source>Triangle quality</source>
@@ -1227,24 +1255,24 @@
    <translation>Dehnung</translation>
   </message>
   <message>
-   <source>Elements by quality: bars as it is, grey lines as it was at rest, red where the limit is</source>
-   <translation>Elemente nach Qualität: Balken wie sie ist, graue Linien wie in Ruhe, rot die Grenze</translation>
+   <source>Number of elements by quality. Bars: current shape; grey lines: at rest; red: limit</source>
+   <translation>Anzahl der Elemente nach Qualität. Balken: aktuelle Form; graue Linien: in Ruhe; rot: Grenze</translation>
   </message>
   <message>
    <source>Reset</source>
    <translation>Zurücksetzen</translation>
   </message>
   <message>
-   <source>Puts this handle back to rest</source>
-   <translation>Bringt diesen Griff in Ruhelage</translation>
+   <source>Returns this handle to rest</source>
+   <translation>Bringt diesen Griff in die Ruhelage zurück</translation>
   </message>
   <message>
    <source>Update results</source>
-   <translation>Ergebnisse nachführen</translation>
+   <translation>Ergebnisse aktualisieren</translation>
   </message>
   <message>
-   <source>When the result objects follow; the 3D view always follows at once</source>
-   <translation>Wann die Ergebnisobjekte folgen; die 3D-Ansicht folgt immer sofort</translation>
+   <source>When the result objects are updated; the 3D view always updates at once</source>
+   <translation>Wann die Ergebnisobjekte aktualisiert werden; die 3D-Ansicht folgt immer sofort</translation>
   </message>
   <message>
    <source>Automatically</source>
@@ -1256,7 +1284,7 @@
   </message>
   <message>
    <source>On pause</source>
-   <translation>In Pausen</translation>
+   <translation>Bei Pausen</translation>
   </message>
   <message>
    <source>On OK</source>
@@ -1266,32 +1294,36 @@
  <context>
   <name>SheetMorph_panels</name>
   <message>
-   <source>The shape of {0} failed</source>
-   <translation>Die Form von {0} ist fehlgeschlagen</translation>
+   <source>The shape of {0} could not be computed</source>
+   <translation>Die Form von {0} konnte nicht berechnet werden</translation>
   </message>
   <message>
    <source>Stop</source>
    <translation>Anhalten</translation>
   </message>
   <message>
-   <source>Stops computing; a recompute of the document computes the shape.</source>
-   <translation>Hält die Berechnung an; Neuberechnen des Dokuments berechnet die Form.</translation>
+   <source>Stops the computation. Recompute the document to get the shape.</source>
+   <translation>Hält die Berechnung an. Berechnen Sie das Dokument neu, um die Form zu erhalten.</translation>
   </message>
   <message>
    <source>Computing the final shape of {0}</source>
    <translation>Die endgültige Form von {0} wird berechnet</translation>
   </message>
   <message>
-   <source>This shape failed for an unknown reason ({0}). Please report it.</source>
+   <source>This shape could not be computed for an unknown reason ({0}). Please report it.</source>
    <translation>Diese Form konnte aus unbekanntem Grund nicht berechnet werden ({0}). Bitte melden Sie das.</translation>
   </message>
   <message>
-   <source>There is not enough memory for this shape. Close other documents, or mesh it coarser.</source>
-   <translation>Der Speicher reicht für diese Form nicht. Schließen Sie andere Dokumente, oder vernetzen Sie gröber.</translation>
+   <source>There is not enough memory for this shape. Close other documents, or use a coarser mesh.</source>
+   <translation>Der Speicher reicht für diese Form nicht. Schließen Sie andere Dokumente, oder verwenden Sie ein gröberes Netz.</translation>
   </message>
   <message>
-   <source>There is nothing to show: no contact is in use.</source>
-   <translation>Es gibt nichts zu zeigen: kein Kontakt ist in Gebrauch.</translation>
+   <source>No values: no contact is in use.</source>
+   <translation>Keine Werte: Kein Kontakt ist aktiv.</translation>
+  </message>
+  <message>
+   <source>{0} {1} on {2}</source>
+   <translation>{0} {1} auf {2}</translation>
   </message>
   <message>
    <source>{0}, near {1}</source>
@@ -1303,11 +1335,11 @@
   </message>
   <message>
    <source>Do not use “{0}”</source>
-   <translation>„{0}“ nicht verwenden</translation>
+   <translation>„{0}“ deaktivieren</translation>
   </message>
   <message>
-   <source>Take out of “{0}”</source>
-   <translation>Aus „{0}“ herausnehmen</translation>
+   <source>Remove from “{0}”</source>
+   <translation>Aus „{0}“ entfernen</translation>
   </message>
   <message>
    <source>Fixed</source>
@@ -1323,7 +1355,7 @@
   </message>
   <message>
    <source>Follower</source>
-   <translation>Mitläufer</translation>
+   <translation>Folgeregion</translation>
   </message>
   <message>
    <source>1 vertex</source>
@@ -1358,16 +1390,16 @@
    <translation>und {0} weitere</translation>
   </message>
   <message>
-   <source>The parts are farther apart than that: give a larger gap distance, or pick by hand.</source>
-   <translation>Die Teile liegen weiter auseinander: gib einen größeren Abstand an oder wähle von Hand.</translation>
+   <source>The parts are farther apart than the gap distance: enter a larger one, or pick by hand.</source>
+   <translation>Die Teile liegen weiter auseinander als der Spaltabstand: Geben Sie einen größeren ein, oder wählen Sie von Hand.</translation>
   </message>
   <message>
    <source>Choose two parts: click on one, then on the other.</source>
-   <translation>Wähle zwei Teile: klicke auf das eine, dann auf das andere.</translation>
+   <translation>Wählen Sie zwei Teile: Klicken Sie auf das eine, dann auf das andere.</translation>
   </message>
   <message>
-   <source>A side is empty: pick at least one vertex on each part.</source>
-   <translation>Eine Seite ist leer: wähle auf jedem Teil mindestens einen Knoten.</translation>
+   <source>One side is empty: pick at least one vertex on each part.</source>
+   <translation>Eine Seite ist leer: Wählen Sie auf jedem Teil mindestens einen Knoten.</translation>
   </message>
   <message>
    <source>Click on a part…</source>
@@ -1379,55 +1411,55 @@
   </message>
   <message>
    <source>Tied</source>
-   <translation>Gebunden</translation>
+   <translation>Gekoppelt</translation>
   </message>
   <message>
    <source>Rigid</source>
    <translation>Starr</translation>
   </message>
   <message>
-   <source>The other part bends along smoothly. Right for most flanges and weld seams.</source>
-   <translation>Das andere Teil biegt sich weich mit. Richtig für die meisten Flansche und Schweißnähte.</translation>
+   <source>The other part bends smoothly with it. Suits most flanges and weld seams.</source>
+   <translation>Das andere Teil biegt sich gleichmäßig mit. Geeignet für die meisten Flansche und Schweißnähte.</translation>
   </message>
   <message>
-   <source>Every vertex keeps its place over the facing triangle. For glued faces and mesh ties.</source>
-   <translation>Jeder Vertex behält seinen Platz über dem gegenüberliegenden Dreieck. Für Klebeflächen und Netzkopplungen.</translation>
+   <source>Every vertex keeps its position relative to the facing triangle. Suits glued faces and tied meshes.</source>
+   <translation>Jeder Knoten behält seine Lage zum gegenüberliegenden Dreieck. Geeignet für Klebeflächen und gekoppelte Netze.</translation>
   </message>
   <message>
-   <source>Both sides move as one stiff body. For bolts, rivets and spot welds.</source>
-   <translation>Beide Seiten bewegen sich als ein starrer Körper. Für Schrauben, Niete und Schweißpunkte.</translation>
+   <source>Both sides move as one rigid body. Suits bolts, rivets and spot welds.</source>
+   <translation>Beide Seiten bewegen sich als ein starrer Körper. Geeignet für Schrauben, Niete und Schweißpunkte.</translation>
   </message>
   <message>
    <source>Automatic</source>
    <translation>Automatisch</translation>
   </message>
   <message>
-   <source>1 Whole part</source>
-   <translation>1 Ganzes Teil</translation>
+   <source>1 Whole part driven</source>
+   <translation>1 Ganzes Teil geführt</translation>
   </message>
   <message>
-   <source>2 Contacts lead</source>
-   <translation>2 Kontakte führen</translation>
+   <source>2 Contacts driven</source>
+   <translation>2 Kontakte geführt</translation>
   </message>
   <message>
-   <source>3 Contacts and edges lead</source>
-   <translation>3 Kontakte und Ränder führen</translation>
+   <source>3 Contacts and edges driven</source>
+   <translation>3 Kontakte und Ränder geführt</translation>
   </message>
   <message>
-   <source>SheetMorph chooses by contacts and form features.</source>
-   <translation>SheetMorph wählt nach Kontakten und Formelementen.</translation>
+   <source>SheetMorph chooses from the contacts and form features.</source>
+   <translation>SheetMorph wählt anhand der Kontakte und Formelemente.</translation>
   </message>
   <message>
-   <source>The control mesh moves every vertex; form features would lose their shape.</source>
-   <translation>Das Steuernetz bewegt jeden Vertex; Formelemente würden ihre Form verlieren.</translation>
+   <source>The control mesh drives every vertex; form features would lose their shape.</source>
+   <translation>Das Steuernetz führt jeden Knoten; Formelemente würden ihre Form verlieren.</translation>
   </message>
   <message>
-   <source>Contacts and followers go with the control mesh, the rest bends like sheet; form features keep their shape.</source>
-   <translation>Kontakte und Mitläufer gehen mit dem Steuernetz, der Rest biegt sich wie Blech; Formelemente behalten ihre Form.</translation>
+   <source>The control mesh drives contacts and followers; the rest bends like sheet metal, and form features keep their shape.</source>
+   <translation>Das Steuernetz führt Kontakte und Folgeregionen; der Rest biegt sich wie Blech, und Formelemente behalten ihre Form.</translation>
   </message>
   <message>
-   <source>As 2, and free edges inside the control mesh go with it too.</source>
-   <translation>Wie 2, und freie Ränder im Steuernetz gehen auch mit.</translation>
+   <source>As 2, and the control mesh also drives free edges inside it.</source>
+   <translation>Wie 2, und das Steuernetz führt auch freie Ränder in seinem Inneren.</translation>
   </message>
   <message>
    <source>Show</source>
@@ -1438,84 +1470,92 @@
    <translation>&lt;b&gt;{0}&lt;/b&gt; auf {1}</translation>
   </message>
   <message>
-   <source>No hole, slot or cylinder: it has no size to set.</source>
-   <translation>Weder Loch noch Langloch noch Zylinder: es hat keine einstellbare Größe.</translation>
+   <source>Relations: {0}</source>
+   <translation>Beziehungen: {0}</translation>
   </message>
   <message>
-   <source>Tick the form features it is related to, or choose no relation.</source>
-   <translation>Hake die Formelemente an, zu denen die Beziehung besteht, oder wähle keine.</translation>
+   <source>Not a hole, slot or cylinder: it has no size to set.</source>
+   <translation>Weder Loch noch Langloch noch Zylinder: Es gibt keine einstellbare Größe.</translation>
   </message>
   <message>
-   <source>A pair has two form features; tick one.</source>
-   <translation>Ein Paar hat zwei Formelemente; hake eines an.</translation>
+   <source>Tick the related form features, or choose “No new relation”.</source>
+   <translation>Haken Sie die Formelemente der Beziehung an, oder wählen Sie „Keine neue Beziehung“.</translation>
+  </message>
+  <message>
+   <source>A pair has two form features: tick one other.</source>
+   <translation>Ein Paar hat zwei Formelemente: Haken Sie ein weiteres an.</translation>
   </message>
   <message>
    <source>all kinds</source>
    <translation>alle Arten</translation>
   </message>
   <message>
-   <source>{0} of {1} chosen</source>
-   <translation>{0} von {1} gewählt</translation>
+   <source>{0} of {1} checked</source>
+   <translation>{0} von {1} angehakt</translation>
   </message>
   <message>
-   <source>{0} of {1} chosen, {2} in the document already</source>
-   <translation>{0} von {1} gewählt, {2} schon im Dokument</translation>
+   <source>{0} of {1} checked, {2} already in the document</source>
+   <translation>{0} von {1} angehakt, {2} bereits im Dokument</translation>
   </message>
   <message>
-   <source>{0} not certain (?): point at them to read why</source>
-   <translation>{0} nicht sicher (?): darauf zeigen, um zu lesen, warum</translation>
+   <source>{0} uncertain (?): point at a row to read why</source>
+   <translation>{0} unsicher (?): Zeigen Sie auf eine Zeile, um den Grund zu lesen</translation>
   </message>
   <message>
-   <source>Nothing is checked; check proposals, or cancel.</source>
-   <translation>Nichts ist angehakt; hake Vorschläge an oder brich ab.</translation>
+   <source>Nothing is checked. Check proposals, or cancel.</source>
+   <translation>Nichts ist angehakt. Haken Sie Vorschläge an, oder brechen Sie ab.</translation>
   </message>
   <message>
-   <source>of the selected parts only</source>
-   <translation>nur von den gewählten Teilen</translation>
+   <source>selected parts only</source>
+   <translation>nur ausgewählte Teile</translation>
   </message>
   <message>
    <source>Driven by the expression {0}</source>
-   <translation>Gesteuert vom Ausdruck {0}</translation>
+   <translation>Vom Ausdruck {0} gesteuert</translation>
   </message>
   <message>
    <source>Computed in {0:.1f} ms, drawn in {1:.1f} ms</source>
    <translation>Berechnet in {0:.1f} ms, gezeichnet in {1:.1f} ms</translation>
   </message>
   <message>
-   <source>Will not follow, no contact leads there: {0}</source>
-   <translation>Folgt nicht, kein Kontakt führt dorthin: {0}</translation>
+   <source>These parts will not follow, because no contact reaches them: {0}</source>
+   <translation>Diese Teile folgen nicht, weil kein Kontakt sie erreicht: {0}</translation>
   </message>
   <message>
-   <source>Linear preview: steel follows when you rest. {0}</source>
-   <translation>Lineare Vorschau: Stahl folgt, wenn du innehältst. {0}</translation>
+   <source>Linear preview; the steel shape is computed on a pause. {0}</source>
+   <translation>Lineare Vorschau; die Stahlform wird in einer Pause berechnet. {0}</translation>
   </message>
   <message>
-   <source>Linear preview, the exact shape follows ({0})</source>
-   <translation>Lineare Vorschau, die genaue Form folgt ({0})</translation>
+   <source>Computing the exact shape</source>
+   <translation>Die genaue Form wird berechnet</translation>
   </message>
   <message>
    <source>Nothing has moved yet.</source>
    <translation>Noch ist nichts bewegt.</translation>
   </message>
   <message>
-   <source>{0} contacts open too far, see Propagation; the first:</source>
-   <translation>{0} Kontakte öffnen sich zu weit, siehe Ausbreitung; der erste:</translation>
+   <source>{0} contacts open or close too far (see Propagation). The first:</source>
+   <translation>{0} Kontakte öffnen oder schließen sich zu weit (siehe Ausbreitung). Der erste:</translation>
+  </message>
+  <message>
+   <source>Computing steel shape (step {0})</source>
+   <translation>Stahlform wird berechnet (Schritt {0})</translation>
   </message>
   <message>
    <source>Preview: refined on release. {0}</source>
    <translation>Vorschau: wird beim Loslassen verfeinert. {0}</translation>
   </message>
   <message>
-   <source>Steel, final. {0}</source>
-   <translation>Stahl, endgültig. {0}</translation>
+   <source>Final steel shape. {0}</source>
+   <translation>Endgültige Stahlform. {0}</translation>
   </message>
   <message>
    <source>At rest</source>
    <translation>In Ruhe</translation>
   </message>
   <message>
-   <source>As it was before; move the slider to blend again.</source>
-   <translation>Wie zuvor; zum Überblenden den Regler bewegen.</translation>
+   <source>Back in the previous shape. Move the slider to blend again.</source>
+   <translation>Wieder in der vorherigen Form. Bewegen Sie den Regler, um erneut zu überblenden.</translation>
   </message>
   <message>
    <source>Largest and mean distance, mm</source>
@@ -1523,27 +1563,27 @@
   </message>
   <message>
    <source>Choose a pose.</source>
-   <translation>Wähle eine Stellung.</translation>
+   <translation>Wählen Sie eine Stellung.</translation>
   </message>
   <message>
    <source>and {0} more parts</source>
    <translation>und {0} weitere Teile</translation>
   </message>
   <message>
-   <source>Make a part of each of its {} pieces</source>
-   <translation>Ein Teil aus jedem seiner {} Stücke machen</translation>
+   <source>Split into its {} pieces</source>
+   <translation>In seine {} Stücke aufteilen</translation>
   </message>
   <message>
-   <source>Weld within how much? Type a length, for example 0.01 mm.</source>
-   <translation>Verschweißen innerhalb welcher Länge? Gib eine an, zum Beispiel 0.01 mm.</translation>
+   <source>Enter a distance for merging vertices, such as 0.01 mm.</source>
+   <translation>Geben Sie einen Abstand zum Zusammenführen der Knoten ein, etwa 0.01 mm.</translation>
   </message>
   <message>
-   <source>Nothing is chosen; choose a cure, or cancel.</source>
-   <translation>Nichts ist gewählt; wähle eine Abhilfe oder brich ab.</translation>
+   <source>Nothing is chosen. Choose a repair, or cancel.</source>
+   <translation>Nichts ist gewählt. Wählen Sie eine Reparatur, oder brechen Sie ab.</translation>
   </message>
   <message>
-   <source>Choose a cure first.</source>
-   <translation>Wähle zuerst eine Abhilfe.</translation>
+   <source>Choose a repair first.</source>
+   <translation>Wählen Sie zuerst eine Reparatur.</translation>
   </message>
   <message>
    <source>The parts follow in the background…</source>
@@ -1551,11 +1591,27 @@
   </message>
   <message>
    <source>Mark a fixed region and a handle first.</source>
-   <translation>Markiere zuerst eine feste Region und einen Griff.</translation>
+   <translation>Markieren Sie zuerst eine feste Region und einen Griff.</translation>
   </message>
   <message>
-   <source>How much the gap between both sides has changed, at most</source>
-   <translation>Um wie viel sich der Spalt zwischen beiden Seiten höchstens geändert hat</translation>
+   <source>No contact reaches these parts, so they stay at rest: mark a contact with a part above.</source>
+   <translation>Kein Kontakt erreicht diese Teile, daher bleiben sie in Ruhe: Markieren Sie einen Kontakt mit einem Teil weiter oben.</translation>
+  </message>
+  <message>
+   <source>Contacts that transfer no motion: switched off, not reached, or not needed.</source>
+   <translation>Kontakte, die keine Bewegung übertragen: ausgeschaltet, nicht erreicht oder nicht benötigt.</translation>
+  </message>
+  <message>
+   <source>Largest change of the gap between both sides</source>
+   <translation>Größte Änderung des Spalts zwischen beiden Seiten</translation>
+  </message>
+  <message>
+   <source>Not reached</source>
+   <translation>Nicht erreicht</translation>
+  </message>
+  <message>
+   <source>Contacts not in use</source>
+   <translation>Nicht aktive Kontakte</translation>
   </message>
   <message>
    <source>primary</source>
@@ -1567,35 +1623,43 @@
   </message>
   <message>
    <source>not in use</source>
-   <translation>nicht in Gebrauch</translation>
+   <translation>nicht aktiv</translation>
   </message>
   <message>
-   <source>level {0}</source>
-   <translation>Stufe {0}</translation>
+   <source>from {0}</source>
+   <translation>von {0}</translation>
   </message>
   <message>
-   <source>Change a value to see how far it may go.</source>
-   <translation>Ändern Sie einen Wert, um zu sehen, wie weit er gehen darf.</translation>
+   <source>step {0}</source>
+   <translation>Schritt {0}</translation>
   </message>
   <message>
-   <source>a triangle turns over</source>
-   <translation>ein Dreieck klappt um</translation>
+   <source>Change one value to see its admissible range.</source>
+   <translation>Ändern Sie einen Wert, um seinen zulässigen Bereich zu sehen.</translation>
   </message>
   <message>
-   <source>The angle</source>
-   <translation>Der Winkel</translation>
+   <source>Searching the admissible range…</source>
+   <translation>Zulässiger Bereich wird gesucht …</translation>
+  </message>
+  <message>
+   <source>{0}; beyond this, triangles flip</source>
+   <translation>{0}; darüber hinaus klappen Dreiecke um</translation>
+  </message>
+  <message>
+   <source>Angle</source>
+   <translation>Winkel</translation>
   </message>
   <message>
    <source>{0}: {1} to {2}{3}</source>
    <translation>{0}: {1} bis {2}{3}</translation>
   </message>
   <message>
-   <source>{0}; beyond: {1}</source>
-   <translation>{0}; dahinter: {1}</translation>
+   <source>{0}; beyond this: {1}</source>
+   <translation>{0}; darüber hinaus: {1}</translation>
   </message>
   <message>
-   <source>{0}, as far as was looked</source>
-   <translation>{0}, soweit gesucht wurde</translation>
+   <source>{0}: at least {1} to {2}{3}</source>
+   <translation>{0}: mindestens {1} bis {2}{3}</translation>
   </message>
   <message>
    <source>Elements: aspect</source>
@@ -1630,8 +1694,8 @@
    <translation>Elemente: kürzeste Kante</translation>
   </message>
   <message>
-   <source>; {0} of {1} elements beyond {2:g}</source>
-   <translation>; {0} von {1} Elementen jenseits {2:g}</translation>
+   <source>; {0} of {1} elements beyond the limit of {2:g}</source>
+   <translation>; {0} von {1} Elementen jenseits der Grenze von {2:g}</translation>
   </message>
   <message>
    <source>No variants yet.</source>
@@ -1642,12 +1706,12 @@
    <translation>Ordner für die Varianten</translation>
   </message>
   <message>
-   <source>{0}. A double click takes the morph there.</source>
-   <translation>{0}. Ein Doppelklick bringt den Morph dorthin.</translation>
+   <source>{0}. Double-click a row to apply the variant.</source>
+   <translation>{0}. Doppelklicken Sie auf eine Zeile, um die Variante anzuwenden.</translation>
   </message>
   <message>
-   <source>Wait for the variants, or stop them.</source>
-   <translation>Warten Sie auf die Varianten oder halten Sie an.</translation>
+   <source>Variants are still being computed. Wait, or stop them.</source>
+   <translation>Varianten werden noch berechnet. Warten Sie, oder halten Sie an.</translation>
   </message>
   <message>
    <source>Stopped: the document has changed.</source>
@@ -1658,8 +1722,8 @@
    <translation>Name</translation>
   </message>
   <message>
-   <source>Changes</source>
-   <translation>Ändert</translation>
+   <source>Number</source>
+   <translation>Größe</translation>
   </message>
   <message>
    <source>From</source>
@@ -1670,12 +1734,20 @@
    <translation>Bis</translation>
   </message>
   <message>
+   <source>smallest corner, °</source>
+   <translation>kleinster Winkel, °</translation>
+  </message>
+  <message>
+   <source>stretch, %</source>
+   <translation>Dehnung, %</translation>
+  </message>
+  <message>
    <source>passed</source>
    <translation>bestanden</translation>
   </message>
   <message>
    <source>failed</source>
-   <translation>durchgefallen</translation>
+   <translation>nicht bestanden</translation>
   </message>
   <message>
    <source>refused</source>
@@ -1691,42 +1763,102 @@
   </message>
   <message>
    <source>State</source>
-   <translation>Zustand</translation>
+   <translation>Status</translation>
   </message>
   <message>
-   <source>“{0}” of “{1}” is no number.</source>
-   <translation>„{0}“ von „{1}“ ist keine Zahl.</translation>
+   <source>“{0}” for “{1}” is not a number.</source>
+   <translation>„{0}“ für „{1}“ ist keine Zahl.</translation>
   </message>
   <message>
-   <source>'{0}' is no thin solid: {1}.</source>
+   <source>Median thickness &lt;b&gt;{0}&lt;/b&gt;, from {1} to {2}</source>
+   <translation>Mittlere Dicke (Median) &lt;b&gt;{0}&lt;/b&gt;, von {1} bis {2}</translation>
+  </message>
+  <message>
+   <source>Holes through both skins: {0}</source>
+   <translation>Löcher durch beide Häute: {0}</translation>
+  </message>
+  <message>
+   <source>Thick regions (stay rigid): {0}</source>
+   <translation>Dicke Bereiche (bleiben starr): {0}</translation>
+  </message>
+  <message>
+   <source>{0} walls and thick regions: no thickness</source>
+   <translation>{0} Wände und dicke Bereiche: ohne Dicke</translation>
+  </message>
+  <message>
+   <source>'{0}' is not a thin solid: {1}.</source>
    <translation>„{0}“ ist kein dünner Körper: {1}.</translation>
+  </message>
+  <message>
+   <source>worst aspect</source>
+   <translation>schlechtestes Seitenverhältnis</translation>
+  </message>
+  <message>
+   <source>worst warpage</source>
+   <translation>größte Verwindung</translation>
+  </message>
+  <message>
+   <source>worst skew</source>
+   <translation>größte Schiefe</translation>
+  </message>
+  <message>
+   <source>worst taper</source>
+   <translation>größte Verjüngung</translation>
+  </message>
+  <message>
+   <source>worst Jacobian</source>
+   <translation>schlechteste Jacobi-Zahl</translation>
+  </message>
+  <message>
+   <source>smallest corner</source>
+   <translation>kleinster Winkel</translation>
+  </message>
+  <message>
+   <source>largest corner</source>
+   <translation>größter Winkel</translation>
+  </message>
+  <message>
+   <source>shortest edge</source>
+   <translation>kürzeste Kante</translation>
+  </message>
+  <message>
+   <source>largest displacement</source>
+   <translation>größte Verschiebung</translation>
+  </message>
+  <message>
+   <source>largest stretch</source>
+   <translation>größte Dehnung</translation>
+  </message>
+  <message>
+   <source>largest change</source>
+   <translation>größte Änderung</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_picking</name>
   <message>
    <source>Click picks, Shift adds, Ctrl removes.</source>
-   <translation>Klick wählt, Umschalt fügt hinzu, Strg nimmt weg.</translation>
+   <translation>Klick wählt, Umschalt fügt hinzu, Strg entfernt.</translation>
   </message>
   <message>
    <source>Paint with the left button. The wheel changes the size, Ctrl+wheel zooms. Ctrl+paint removes.</source>
-   <translation>Male mit der linken Taste. Das Rad ändert die Größe, Strg+Rad zoomt. Strg+Malen nimmt weg.</translation>
+   <translation>Malen Sie mit der linken Taste. Das Rad ändert die Größe, Strg+Rad zoomt. Strg+Malen entfernt.</translation>
   </message>
   <message>
    <source>Drag from corner to corner. Shift adds, Ctrl removes.</source>
-   <translation>Ziehe von Ecke zu Ecke. Umschalt fügt hinzu, Strg nimmt weg.</translation>
+   <translation>Ziehen Sie von Ecke zu Ecke. Umschalt fügt hinzu, Strg entfernt.</translation>
   </message>
   <message>
-   <source>Draw around it with the left button held. Shift adds, Ctrl removes.</source>
-   <translation>Umfahre es mit gedrückter linker Taste. Umschalt fügt hinzu, Strg nimmt weg.</translation>
+   <source>Hold the left button and draw an outline. Shift adds, Ctrl removes.</source>
+   <translation>Zeichnen Sie mit gedrückter linker Taste einen Umriss. Umschalt fügt hinzu, Strg entfernt.</translation>
   </message>
   <message>
    <source>Vertex</source>
-   <translation>Vertex</translation>
+   <translation>Knoten</translation>
   </message>
   <message>
    <source>Picks single vertices</source>
-   <translation>Wählt einzelne Vertices</translation>
+   <translation>Wählt einzelne Knoten</translation>
   </message>
   <message>
    <source>Facet</source>
@@ -1749,7 +1881,7 @@
    <translation>Lochrand</translation>
   </message>
   <message>
-   <source>Picks the rim of a hole by one click near it</source>
+   <source>Picks the rim of a hole with one click near it</source>
    <translation>Wählt den Rand eines Lochs durch einen Klick in seiner Nähe</translation>
   </message>
   <message>
@@ -1765,64 +1897,64 @@
    <translation>Pinsel</translation>
   </message>
   <message>
-   <source>Picks what you paint over; the wheel changes the size of the brush</source>
-   <translation>Wählt, worüber du malst; das Rad ändert die Größe des Pinsels</translation>
+   <source>Picks everything that you paint over; the wheel changes the size of the brush</source>
+   <translation>Wählt alles, was Sie übermalen; das Rad ändert die Größe des Pinsels</translation>
   </message>
   <message>
    <source>Rectangle</source>
    <translation>Rechteck</translation>
   </message>
   <message>
-   <source>Picks what lies in a rectangle that you draw</source>
-   <translation>Wählt, was in einem Rechteck liegt, das du aufziehst</translation>
+   <source>Picks everything inside a rectangle that you draw</source>
+   <translation>Wählt alles in einem Rechteck, das Sie aufziehen</translation>
   </message>
   <message>
    <source>Lasso</source>
    <translation>Lasso</translation>
   </message>
   <message>
-   <source>Picks what lies in a closed figure that you draw</source>
-   <translation>Wählt, was in einer geschlossenen Figur liegt, die du zeichnest</translation>
+   <source>Picks everything inside an outline that you draw</source>
+   <translation>Wählt alles in einem Umriss, den Sie zeichnen</translation>
   </message>
   <message>
    <source>New</source>
-   <translation>Neu</translation>
+   <translation>Ersetzen</translation>
   </message>
   <message>
-   <source>A pick starts anew; the brush goes on</source>
-   <translation>Eine Auswahl beginnt neu; der Pinsel macht weiter</translation>
+   <source>Replaces the selection (the brush adds)</source>
+   <translation>Ersetzt die Auswahl (der Pinsel fügt hinzu)</translation>
   </message>
   <message>
    <source>Add</source>
-   <translation>Hinzu</translation>
+   <translation>Hinzufügen</translation>
   </message>
   <message>
-   <source>A pick adds, as with Shift</source>
-   <translation>Ein Klick fügt hinzu, wie mit Umschalt</translation>
+   <source>Adds to the selection, as with Shift</source>
+   <translation>Fügt zur Auswahl hinzu, wie mit Umschalt</translation>
   </message>
   <message>
    <source>Remove</source>
-   <translation>Weg</translation>
+   <translation>Entfernen</translation>
   </message>
   <message>
-   <source>A pick removes, as with Ctrl</source>
-   <translation>Ein Klick nimmt weg, wie mit Strg</translation>
+   <source>Removes from the selection, as with Ctrl</source>
+   <translation>Entfernt aus der Auswahl, wie mit Strg</translation>
   </message>
   <message>
    <source>Crease angle</source>
    <translation>Knickwinkel</translation>
   </message>
   <message>
-   <source>A face and a rim end where the surface turns by more than this</source>
-   <translation>Fläche und Rand enden, wo die Oberfläche mehr als dies knickt</translation>
+   <source>A face or a rim ends where the surface bends by more than this angle</source>
+   <translation>Eine Fläche oder ein Rand endet, wo die Oberfläche um mehr als diesen Winkel knickt</translation>
   </message>
   <message>
    <source>Rings around hole</source>
    <translation>Ringe um Loch</translation>
   </message>
   <message>
-   <source>Takes so many rings of vertices around the rim as well</source>
-   <translation>Nimmt so viele Ringe von Vertices um den Rand dazu</translation>
+   <source>Number of vertex rings around the rim that are picked with it</source>
+   <translation>Anzahl der Knotenringe um den Rand, die mitgewählt werden</translation>
   </message>
   <message>
    <source>Brush radius</source>
@@ -1838,11 +1970,11 @@
   </message>
   <message>
    <source>Select through</source>
-   <translation>Hindurch wählen</translation>
+   <translation>Durch Verdeckendes wählen</translation>
   </message>
   <message>
-   <source>Picks through parts and facets that hide others, as if all were made of glass</source>
-   <translation>Wählt durch Teile und Facetten hindurch, die andere verdecken, als wäre alles aus Glas</translation>
+   <source>Also picks vertices that other parts or facets hide</source>
+   <translation>Wählt auch Knoten, die von anderen Teilen oder Facetten verdeckt sind</translation>
   </message>
   <message>
    <source>Grow</source>
@@ -1850,7 +1982,7 @@
   </message>
   <message>
    <source>Adds one ring of neighbouring vertices</source>
-   <translation>Fügt einen Ring benachbarter Vertices hinzu</translation>
+   <translation>Fügt einen Ring benachbarter Knoten hinzu</translation>
   </message>
   <message>
    <source>Shrink</source>
@@ -1858,31 +1990,31 @@
   </message>
   <message>
    <source>Removes the outermost ring of vertices</source>
-   <translation>Nimmt den äußersten Ring von Vertices weg</translation>
+   <translation>Entfernt den äußersten Ring von Knoten</translation>
   </message>
   <message>
    <source>Invert</source>
    <translation>Umkehren</translation>
   </message>
   <message>
-   <source>Picks what is not picked, and nothing else</source>
-   <translation>Wählt, was nicht gewählt ist, und nichts sonst</translation>
+   <source>Picks the vertices that are not picked now, and releases the others</source>
+   <translation>Wählt die bisher nicht gewählten Knoten und gibt die anderen frei</translation>
   </message>
   <message>
    <source>Undo Pick</source>
-   <translation>Auswahl zurück</translation>
+   <translation>Auswahl rückgängig</translation>
   </message>
   <message>
-   <source>Takes back the last pick</source>
-   <translation>Nimmt die letzte Auswahl zurück</translation>
+   <source>Undoes the last pick</source>
+   <translation>Macht die letzte Auswahl rückgängig</translation>
   </message>
   <message>
    <source>Clear</source>
    <translation>Leeren</translation>
   </message>
   <message>
-   <source>Picks nothing</source>
-   <translation>Wählt nichts</translation>
+   <source>Clears the selection</source>
+   <translation>Leert die Auswahl</translation>
   </message>
   <message>
    <source>All Holes</source>
@@ -1897,7 +2029,7 @@
   <name>SheetMorph_pose</name>
   <message>
    <source>Blend Poses</source>
-   <translation>Stellungen mischen</translation>
+   <translation>Stellungen überblenden</translation>
   </message>
   <message>
    <source>From</source>
@@ -1916,12 +2048,12 @@
    <translation>Die Stellung bei 100 %</translation>
   </message>
   <message>
-   <source>How far the morph is on the way from one pose to the other</source>
-   <translation>Wie weit der Morph auf dem Weg von einer Stellung zur anderen ist</translation>
+   <source>Position of the morph between the two poses</source>
+   <translation>Lage des Morphs zwischen den beiden Stellungen</translation>
   </message>
   <message>
-   <source>The same as a number; beyond 0 and 100 % the motion goes on</source>
-   <translation>Dasselbe als Zahl; jenseits von 0 und 100 % geht die Bewegung weiter</translation>
+   <source>The same as a number; values below 0 or above 100 % extrapolate the motion</source>
+   <translation>Dasselbe als Zahl; Werte unter 0 oder über 100 % setzen die Bewegung fort</translation>
   </message>
  </context>
  <context>
@@ -1936,11 +2068,11 @@
   </message>
   <message>
    <source>Update results</source>
-   <translation>Ergebnisse nachführen</translation>
+   <translation>Ergebnisse aktualisieren</translation>
   </message>
   <message>
-   <source>When the result objects follow a motion: the 3D view always does at once. Automatically: at once if that takes less than 50 ms, else on a pause</source>
-   <translation>Wann die Ergebnisobjekte einer Bewegung folgen: die 3D-Ansicht folgt immer sofort. Automatisch: sofort, wenn es weniger als 50 ms dauert, sonst in Pausen</translation>
+   <source>When the result objects are updated; the 3D view always updates at once. Automatically: at once if this takes less than 50 ms, otherwise on a pause</source>
+   <translation>Wann die Ergebnisobjekte aktualisiert werden; die 3D-Ansicht folgt immer sofort. Automatisch: sofort, wenn es weniger als 50 ms dauert, sonst bei Pausen</translation>
   </message>
   <message>
    <source>Automatically</source>
@@ -1952,14 +2084,14 @@
   </message>
   <message>
    <source>On pause</source>
-   <translation>In Pausen</translation>
+   <translation>Bei Pausen</translation>
   </message>
   <message>
    <source>On OK</source>
    <translation>Bei OK</translation>
   </message>
   <message>
-   <source>Shows arrows to drag when the Move Handle panel opens</source>
+   <source>Shows arrows for dragging when the Move Handle panel opens</source>
    <translation>Zeigt Pfeile zum Ziehen, wenn „Griff bewegen“ geöffnet wird</translation>
   </message>
   <message>
@@ -1967,28 +2099,28 @@
    <translation>Pfeile und Bögen in der Ansicht</translation>
   </message>
   <message>
-   <source>Motions by the mouse go in steps</source>
-   <translation>Bewegungen mit der Maus gehen in Schritten</translation>
+   <source>Moves in steps while you drag with the mouse</source>
+   <translation>Bewegt beim Ziehen mit der Maus in Schritten</translation>
   </message>
   <message>
    <source>Snap to steps</source>
    <translation>Auf Schritte einrasten</translation>
   </message>
   <message>
-   <source>Step of a length</source>
-   <translation>Schritt einer Länge</translation>
+   <source>Length step</source>
+   <translation>Längenschritt</translation>
   </message>
   <message>
-   <source>Motions by the mouse are multiples of this length when they snap</source>
-   <translation>Bewegungen mit der Maus sind beim Einrasten Vielfache dieser Länge</translation>
+   <source>Translations by the mouse snap to multiples of this length</source>
+   <translation>Verschiebungen mit der Maus rasten auf Vielfache dieser Länge ein</translation>
   </message>
   <message>
-   <source>Step of an angle</source>
-   <translation>Schritt eines Winkels</translation>
+   <source>Angle step</source>
+   <translation>Winkelschritt</translation>
   </message>
   <message>
-   <source>Turns by the mouse are multiples of this angle when they snap</source>
-   <translation>Drehungen mit der Maus sind beim Einrasten Vielfache dieses Winkels</translation>
+   <source>Rotations by the mouse snap to multiples of this angle</source>
+   <translation>Drehungen mit der Maus rasten auf Vielfache dieses Winkels ein</translation>
   </message>
   <message>
    <source>Picking</source>
@@ -1999,20 +2131,20 @@
    <translation>Knickwinkel</translation>
   </message>
   <message>
-   <source>A face ends at edges where the sheet turns by more than this angle</source>
-   <translation>Eine Fläche endet an Kanten, an denen das Blech mehr als um diesen Winkel knickt</translation>
+   <source>A face ends where the sheet bends by more than this angle</source>
+   <translation>Eine Fläche endet, wo das Blech um mehr als diesen Winkel knickt</translation>
   </message>
   <message>
    <source>Rings around hole</source>
    <translation>Ringe um Loch</translation>
   </message>
   <message>
-   <source>How many rings of vertices around the rim of a hole belong to it</source>
-   <translation>Wie viele Ringe von Vertices um den Rand eines Lochs zu ihm gehören</translation>
+   <source>Number of vertex rings around the rim that belong to a hole</source>
+   <translation>Anzahl der Knotenringe um den Rand, die zu einem Loch gehören</translation>
   </message>
   <message>
-   <source>Size of brush</source>
-   <translation>Größe des Pinsels</translation>
+   <source>Brush radius</source>
+   <translation>Pinselradius</translation>
   </message>
   <message>
    <source>Radius of the brush on the screen</source>
@@ -2052,18 +2184,18 @@
   </message>
   <message>
    <source>Followers</source>
-   <translation>Mitläufer</translation>
+   <translation>Folgeregionen</translation>
   </message>
   <message>
    <source>Followers are drawn in this colour</source>
-   <translation>Mitläufer werden in dieser Farbe gezeichnet</translation>
+   <translation>Folgeregionen werden in dieser Farbe gezeichnet</translation>
   </message>
   <message>
    <source>First side of contacts</source>
    <translation>Erste Seite von Kontakten</translation>
   </message>
   <message>
-   <source>First side of contacts is drawn in this colour</source>
+   <source>The first side of contacts is drawn in this colour</source>
    <translation>Die erste Seite von Kontakten wird in dieser Farbe gezeichnet</translation>
   </message>
   <message>
@@ -2071,7 +2203,7 @@
    <translation>Zweite Seite von Kontakten</translation>
   </message>
   <message>
-   <source>Second side of contacts is drawn in this colour</source>
+   <source>The second side of contacts is drawn in this colour</source>
    <translation>Die zweite Seite von Kontakten wird in dieser Farbe gezeichnet</translation>
   </message>
  </context>
@@ -2086,84 +2218,84 @@
    <translation>Vorschau</translation>
   </message>
   <message>
-   <source>What is found</source>
+   <source>Findings</source>
    <translation>Befund</translation>
   </message>
   <message>
-   <source>Cures</source>
-   <translation>Abhilfe</translation>
+   <source>Repairs</source>
+   <translation>Reparaturen</translation>
   </message>
   <message>
-   <source>Coordinates are in</source>
-   <translation>Koordinaten sind in</translation>
+   <source>Unit of coordinates</source>
+   <translation>Einheit der Koordinaten</translation>
   </message>
   <message>
-   <source>Scales the mesh from another unit to mm</source>
-   <translation>Rechnet das Netz aus einer anderen Einheit in mm um</translation>
+   <source>Converts the coordinates from this unit to mm</source>
+   <translation>Rechnet die Koordinaten aus dieser Einheit in mm um</translation>
   </message>
   <message>
    <source>The unit of the file</source>
    <translation>Die Einheit der Datei</translation>
   </message>
   <message>
-   <source>Weld vertices within</source>
-   <translation>Knoten verschweißen innerhalb</translation>
+   <source>Merge vertices within</source>
+   <translation>Knoten zusammenführen innerhalb</translation>
   </message>
   <message>
-   <source>Closes cuts and T-junctions, removes doubled facets, turns facets that face the wrong way</source>
-   <translation>Schließt Schnitte und T-Stöße, entfernt doppelte Facetten, wendet verkehrte Facetten</translation>
+   <source>Closes cuts and T-junctions, removes duplicate facets and reorients facets that face the wrong way</source>
+   <translation>Schließt Schnitte und T-Stöße, entfernt doppelte Facetten und richtet verkehrte Facetten neu aus</translation>
   </message>
   <message>
-   <source>Vertices nearer than this become one</source>
-   <translation>Knoten, die näher liegen, werden einer</translation>
+   <source>Vertices closer than this are merged</source>
+   <translation>Knoten mit kleinerem Abstand werden zusammengeführt</translation>
   </message>
   <message>
-   <source>Mesh anew with edges of</source>
+   <source>Remesh with edges of</source>
    <translation>Neu vernetzen mit Kanten von</translation>
   </message>
   <message>
-   <source>Well-shaped triangles on the facets as they are: flats stay exact, shorter edges at holes and bends</source>
-   <translation>Wohlgeformte Dreiecke auf den Facetten, wie sie sind: Ebenes bleibt exakt, kürzere Kanten an Löchern und Biegungen</translation>
+   <source>Creates well-shaped triangles on the present facets. Flat faces stay exact; edges are shorter at holes and bends</source>
+   <translation>Erzeugt wohlgeformte Dreiecke auf den vorhandenen Facetten. Ebene Flächen bleiben exakt; an Löchern und Biegungen sind die Kanten kürzer</translation>
   </message>
   <message>
-   <source>Length of the edges on flats</source>
-   <translation>Länge der Kanten auf ebenen Flächen</translation>
+   <source>Edge length on flat faces</source>
+   <translation>Kantenlänge auf ebenen Flächen</translation>
   </message>
   <message>
    <source>Round rims</source>
    <translation>Runde Ränder</translation>
   </message>
   <message>
-   <source>What becomes of the rims of round holes</source>
-   <translation>Was aus den Rändern runder Löcher wird</translation>
+   <source>How the rims of round holes are remeshed</source>
+   <translation>Wie die Ränder runder Löcher neu vernetzt werden</translation>
   </message>
   <message>
-   <source>keep their polygon</source>
-   <translation>behalten ihr Vieleck</translation>
+   <source>keep polygon</source>
+   <translation>Vieleck behalten</translation>
   </message>
   <message>
-   <source>go to their circle</source>
-   <translation>gehen auf ihren Kreis</translation>
+   <source>fit to circle</source>
+   <translation>an Kreis anpassen</translation>
   </message>
   <message>
    <source>Bend as one sheet (thin solid)</source>
    <translation>Als ein Blech biegen (dünner Körper)</translation>
   </message>
   <message>
-   <source>Both skins and the walls follow one sheet and keep their distance, if it is recognised as a thin solid</source>
-   <translation>Beide Häute und die Wände folgen einem Blech und behalten ihren Abstand, wenn es als dünner Körper erkannt wird</translation>
+   <source>Both skins follow one sheet and keep their distance, if the part is recognised as a thin solid</source>
+   <translation>Beide Häute folgen einem Blech und behalten ihren Abstand, wenn das Teil als dünner Körper erkannt wird</translation>
   </message>
   <message>
-   <source>Make a part of each of its pieces</source>
-   <translation>Ein Teil aus jedem seiner Stücke machen</translation>
+   <source>Split into pieces</source>
+   <translation>In Stücke aufteilen</translation>
   </message>
   <message>
-   <source>What nothing connects becomes a part of its own, so that contacts can join it to the others; only while nothing is marked on it</source>
-   <translation>Was nichts verbindet, wird ein eigenes Teil, damit Kontakte es mit den anderen verbinden können; nur solange nichts darauf markiert ist</translation>
+   <source>Turns each unconnected piece into a part of its own, so that contacts can join them. Possible while nothing is marked on the part</source>
+   <translation>Macht jedes nicht verbundene Stück zu einem eigenen Teil, damit Kontakte sie verbinden können. Möglich, solange auf dem Teil nichts markiert ist</translation>
   </message>
   <message>
-   <source>Shows the new mesh in place of the part; nothing changes</source>
-   <translation>Zeigt das neue Netz anstelle des Teils; nichts ändert sich</translation>
+   <source>Shows the new mesh in the 3D view without changing the part</source>
+   <translation>Zeigt das neue Netz in der 3D-Ansicht, ohne das Teil zu ändern</translation>
   </message>
  </context>
  <context>
@@ -2173,8 +2305,8 @@
    <translation>Ausbreitung</translation>
   </message>
   <message>
-   <source>Local: from part to part along contacts. Single: one control mesh around everything</source>
-   <translation>Lokal: von Teil zu Teil entlang der Kontakte. Einzeln: ein Steuernetz um alles herum</translation>
+   <source>Local: from part to part along contacts. Single: one control mesh around everything. Whole: all parts in one solve</source>
+   <translation>Lokal: von Teil zu Teil entlang der Kontakte. Einzeln: ein Steuernetz um alles. Ganz: alle Teile in einer Rechnung</translation>
   </message>
   <message>
    <source>Local: from contact to contact</source>
@@ -2189,44 +2321,44 @@
    <translation>Ganz: alle Teile in einer Rechnung</translation>
   </message>
   <message>
-   <source>Levels</source>
-   <translation>Stufen</translation>
+   <source>Subdivision</source>
+   <translation>Unterteilung</translation>
   </message>
   <message>
-   <source>How often control meshes are subdivided: more follows finer bends and takes longer (3 is right for most sheets)</source>
-   <translation>Wie oft Steuernetze unterteilt werden: mehr folgt feineren Biegungen und dauert länger (3 passt für die meisten Bleche)</translation>
+   <source>Number of subdivisions of the control meshes. More follow finer bends but take longer; 3 suits most sheets</source>
+   <translation>Anzahl der Unterteilungen der Steuernetze. Mehr folgen feineren Biegungen, dauern aber länger; 3 passt für die meisten Bleche</translation>
   </message>
   <message>
    <source>Smoothness</source>
    <translation>Glattheit</translation>
   </message>
   <message>
-   <source>How smooth control meshes stay: small follows the source closely, large evens out its details</source>
-   <translation>Wie glatt Steuernetze bleiben: klein folgt der Vorlage genau, groß gleicht ihre Einzelheiten aus</translation>
+   <source>Smoothness of the control meshes. Small values follow the driving part closely, large values even out its details</source>
+   <translation>Glattheit der Steuernetze. Kleine Werte folgen dem führenden Teil genau, große gleichen seine Einzelheiten aus</translation>
   </message>
   <message>
    <source>Loose pieces</source>
    <translation>Lose Stücke</translation>
   </message>
   <message>
-   <source>What becomes of pieces of a part that nothing holds, while others of it move</source>
-   <translation>Was aus Stücken eines Teils wird, die nichts hält, während andere sich bewegen</translation>
+   <source>How unconstrained pieces of a part behave while others move. Stay: at rest, with a warning. Move along: with the nearest constrained piece. Error: the morph fails</source>
+   <translation>Wie sich ungehaltene Stücke eines Teils verhalten, während andere sich bewegen. Bleiben: in Ruhe, mit Warnung. Mitgehen: mit dem nächsten gehaltenen Stück. Fehler: der Morph schlägt fehl</translation>
   </message>
   <message>
-   <source>stay at rest, with a warning</source>
-   <translation>bleiben in Ruhe, mit einer Warnung</translation>
+   <source>stay</source>
+   <translation>bleiben</translation>
   </message>
   <message>
-   <source>go along with what is nearest</source>
-   <translation>gehen mit dem Nächsten mit</translation>
+   <source>move along</source>
+   <translation>mitgehen</translation>
   </message>
   <message>
-   <source>are an error</source>
-   <translation>sind ein Fehler</translation>
+   <source>error</source>
+   <translation>Fehler</translation>
   </message>
   <message>
-   <source>A click shows parts and contacts in the 3D view</source>
-   <translation>Ein Klick zeigt Teile und Kontakte in der 3D-Ansicht</translation>
+   <source>Click a row to show the part or contact in the 3D view</source>
+   <translation>Klicken Sie auf eine Zeile, um Teil oder Kontakt in der 3D-Ansicht zu zeigen</translation>
   </message>
   <message>
    <source>Part, contact</source>
@@ -2245,8 +2377,8 @@
    <translation>Steuernetze zeigen</translation>
   </message>
   <message>
-   <source>Shows the control mesh of the chosen contact, else all of them, as wires</source>
-   <translation>Zeigt das Steuernetz des gewählten Kontakts, sonst alle, als Drahtgitter</translation>
+   <source>Shows the control mesh of the selected contact, or all control meshes, as wireframes</source>
+   <translation>Zeigt das Steuernetz des ausgewählten Kontakts, sonst alle Steuernetze, als Drahtgitter</translation>
   </message>
   <message>
    <source>Part</source>
@@ -2257,8 +2389,8 @@
    <translation>Modus</translation>
   </message>
   <message>
-   <source>How the part follows; the primary is deformed by its handles</source>
-   <translation>Wie das Teil folgt; das Hauptteil wird durch seine Griffe verformt</translation>
+   <source>How the part follows. The handles deform the primary part</source>
+   <translation>Wie das Teil folgt. Das Hauptteil wird durch seine Griffe verformt</translation>
   </message>
   <message>
    <source>Set as Primary</source>
@@ -2278,11 +2410,11 @@
   </message>
   <message>
    <source>In use</source>
-   <translation>In Gebrauch</translation>
+   <translation>Aktiv</translation>
   </message>
   <message>
-   <source>Off: the contact is kept but moves nothing, as if the weld were open</source>
-   <translation>Aus: der Kontakt bleibt erhalten, bewegt aber nichts, als wäre die Schweißnaht offen</translation>
+   <source>Off: the contact stays in the document but transfers no motion</source>
+   <translation>Aus: Der Kontakt bleibt im Dokument, überträgt aber keine Bewegung</translation>
   </message>
  </context>
  <context>
@@ -2301,15 +2433,15 @@
   </message>
   <message>
    <source>Follower</source>
-   <translation>Mitläufer</translation>
+   <translation>Folgeregion</translation>
   </message>
   <message>
    <source>Nothing picked yet</source>
    <translation>Noch nichts gewählt</translation>
   </message>
   <message>
-   <source>What {0} has already is left out: a vertex has one of them.</source>
-   <translation>Was {0} schon hat, bleibt weg: ein Eckpunkt gehört nur einem davon.</translation>
+   <source>Skipped vertices that already belong to {0}.</source>
+   <translation>Knoten, die bereits zu {0} gehören, wurden übersprungen.</translation>
   </message>
   <message>
    <source>Picked: {0}, 1 piece</source>
@@ -2317,7 +2449,7 @@
   </message>
   <message>
    <source>Nothing is picked: click on the part first.</source>
-   <translation>Nichts ist gewählt: klicke zuerst auf das Teil.</translation>
+   <translation>Nichts ist gewählt: Klicken Sie zuerst auf das Teil.</translation>
   </message>
   <message>
    <source>Picked: {0}, {1} pieces</source>
@@ -2344,15 +2476,23 @@
    <translation>Nichts gewählt</translation>
   </message>
   <message>
-   <source>or type a selector: {"face_at": [x, y, z]}</source>
-   <translation>oder einen Selektor eingeben: {"face_at": [x, y, z]}</translation>
+   <source>Advanced</source>
+   <translation>Erweitert</translation>
   </message>
   <message>
-   <source>What is picked, in the words of a recipe and the coordinates of the part's file; type another selector and press Enter</source>
-   <translation>Was gewählt ist, in den Worten eines Rezepts und den Koordinaten der Datei des Teils; gib einen anderen Selektor ein und drücke Enter</translation>
+   <source>Shows the selector of the picked vertices</source>
+   <translation>Zeigt den Selektor der gewählten Knoten</translation>
   </message>
   <message>
-   <source>Each hole is a feature of its own</source>
+   <source>Selector, such as {"face_at": [x, y, z]}</source>
+   <translation>Selektor, etwa {"face_at": [x, y, z]}</translation>
+  </message>
+  <message>
+   <source>Selector of the picked vertices, as in a recipe, in the coordinates of the part's file. Type another one and press Enter</source>
+   <translation>Selektor der gewählten Knoten, wie in einem Rezept, in den Koordinaten der Datei des Teils. Geben Sie einen anderen ein und drücken Sie Enter</translation>
+  </message>
+  <message>
+   <source>Each hole is a separate feature</source>
    <translation>Jedes Loch ist ein eigenes Formelement</translation>
   </message>
   <message>
@@ -2371,24 +2511,24 @@
    <translation>Parameter</translation>
   </message>
   <message>
-   <source>What changes between which numbers; a double click edits a name or a number</source>
-   <translation>Was sich zwischen welchen Zahlen ändert; ein Doppelklick bearbeitet Namen oder Zahl</translation>
+   <source>Parameters and their ranges. Double-click a name or a number to edit it</source>
+   <translation>Parameter und ihre Bereiche. Doppelklicken Sie auf einen Namen oder eine Zahl, um sie zu bearbeiten</translation>
   </message>
   <message>
-   <source>Motions of handles, sizes of form features, and cells of the spreadsheets that drive them</source>
+   <source>Handle motions, form feature sizes, and the spreadsheet cells that drive them</source>
    <translation>Bewegungen der Griffe, Größen der Formelemente und Zellen der Tabellen, die sie steuern</translation>
   </message>
   <message>
-   <source>Lets the study change this number</source>
-   <translation>Lässt die Studie diese Zahl ändern</translation>
+   <source>Adds this number as a parameter</source>
+   <translation>Fügt diese Zahl als Parameter hinzu</translation>
   </message>
   <message>
    <source>Add</source>
    <translation>Hinzufügen</translation>
   </message>
   <message>
-   <source>Takes the selected parameters out</source>
-   <translation>Nimmt die ausgewählten Parameter heraus</translation>
+   <source>Removes the selected parameters</source>
+   <translation>Entfernt die ausgewählten Parameter</translation>
   </message>
   <message>
    <source>Remove</source>
@@ -2400,11 +2540,11 @@
   </message>
   <message>
    <source>Sampling</source>
-   <translation>Auswahl</translation>
+   <translation>Stichprobe</translation>
   </message>
   <message>
-   <source>How values are chosen: three ways that fill the ranges evenly, or a grid of all combinations</source>
-   <translation>Wie Werte gewählt werden: drei Arten, die Bereiche gleichmäßig zu füllen, oder ein Raster aller Kombinationen</translation>
+   <source>How the values are sampled: three methods that fill the ranges evenly, or a grid of all combinations</source>
+   <translation>Wie die Werte gewählt werden: drei Verfahren, die die Bereiche gleichmäßig füllen, oder ein Raster aller Kombinationen</translation>
   </message>
   <message>
    <source>Latin hypercube</source>
@@ -2427,24 +2567,24 @@
    <translation>Anzahl</translation>
   </message>
   <message>
-   <source>How many variants; of a full grid at most so many</source>
-   <translation>Wie viele Varianten; bei einem vollen Raster höchstens so viele</translation>
+   <source>Number of variants; for a full grid, the largest number</source>
+   <translation>Anzahl der Varianten; bei einem vollen Raster die Höchstzahl</translation>
   </message>
   <message>
    <source>Seed</source>
    <translation>Startwert</translation>
   </message>
   <message>
-   <source>Another number gives other values</source>
-   <translation>Eine andere Zahl gibt andere Werte</translation>
+   <source>Another seed gives other values</source>
+   <translation>Ein anderer Startwert gibt andere Werte</translation>
   </message>
   <message>
    <source>Criteria</source>
    <translation>Kriterien</translation>
   </message>
   <message>
-   <source>What every variant must keep, commas between: stretch, angle, gap change, edge error, displacement, touching and more, or a parameter. That no triangle turns over is always asked for</source>
-   <translation>Was jede Variante einhalten muss, mit Kommas dazwischen: stretch, angle, gap change, edge error, displacement, touching und mehr, oder ein Parameter. Dass kein Dreieck umklappt, wird immer verlangt</translation>
+   <source>Criteria for every variant, separated by commas: stretch, angle, gap change, edge error, displacement, touching and others, or a parameter. Flipped triangles always fail</source>
+   <translation>Kriterien für jede Variante, durch Kommas getrennt: stretch, angle, gap change, edge error, displacement, touching und weitere, oder ein Parameter. Umgeklappte Dreiecke fallen immer durch</translation>
   </message>
   <message>
    <source>such as stretch &lt;= 0.2, angle &gt;= 12</source>
@@ -2455,8 +2595,8 @@
    <translation>Ordner</translation>
   </message>
   <message>
-   <source>Where recipe, study and the files of every variant are kept; a run that was stopped goes on there. Empty: only the table is kept</source>
-   <translation>Wo Rezept, Studie und die Dateien jeder Variante bleiben; ein angehaltener Lauf geht dort weiter. Leer: nur die Tabelle bleibt</translation>
+   <source>Folder for the recipe, the study and the files of every variant. A stopped run continues there. Empty: only the table is kept</source>
+   <translation>Ordner für Rezept, Studie und die Dateien jeder Variante. Ein angehaltener Lauf geht dort weiter. Leer: Nur die Tabelle bleibt</translation>
   </message>
   <message>
    <source>keep only the table</source>
@@ -2467,28 +2607,28 @@
    <translation>Wählt einen Ordner</translation>
   </message>
   <message>
-   <source>Computes the variants in processes of their own; FreeCAD stays free</source>
-   <translation>Rechnet die Varianten in eigenen Prozessen; FreeCAD bleibt frei</translation>
+   <source>Computes the variants in separate processes; you can go on working in FreeCAD</source>
+   <translation>Berechnet die Varianten in eigenen Prozessen; Sie können in FreeCAD weiterarbeiten</translation>
   </message>
   <message>
    <source>Run</source>
    <translation>Starten</translation>
   </message>
   <message>
-   <source>Stops; what is done becomes the table</source>
-   <translation>Hält an; was fertig ist, wird zur Tabelle</translation>
+   <source>Stops the run; the finished variants stay in the table</source>
+   <translation>Hält den Lauf an; die fertigen Varianten bleiben in der Tabelle</translation>
   </message>
   <message>
    <source>Stop</source>
    <translation>Anhalten</translation>
   </message>
   <message>
-   <source>Variants that are done</source>
+   <source>Finished variants</source>
    <translation>Fertige Varianten</translation>
   </message>
   <message>
-   <source>One row for each variant; point at its state to read why it did not pass. A double click takes the morph there</source>
-   <translation>Eine Zeile je Variante; zeigen Sie auf ihren Zustand, um zu lesen, warum sie durchfiel. Ein Doppelklick bringt den Morph dorthin</translation>
+   <source>One row per variant. Point at a state to read why the variant did not pass. Double-click a row to apply the variant</source>
+   <translation>Eine Zeile je Variante. Zeigen Sie auf den Status, um zu lesen, warum sie nicht bestanden hat. Doppelklicken Sie auf eine Zeile, um die Variante anzuwenden</translation>
   </message>
  </context>
  <context>
@@ -2502,16 +2642,16 @@
    <translation>Als ein Blech biegen (dünner Körper)</translation>
   </message>
   <message>
-   <source>Both skins and the walls follow one sheet and keep their distance; off: the closed surface bends as it is</source>
-   <translation>Beide Häute und die Wände folgen einem Blech und behalten ihren Abstand; aus: die geschlossene Oberfläche biegt sich, wie sie ist</translation>
+   <source>Both skins follow one sheet and keep their distance. Off: the closed surface bends as a surface</source>
+   <translation>Beide Häute folgen einem Blech und behalten ihren Abstand. Aus: Die geschlossene Oberfläche biegt sich als Fläche</translation>
   </message>
   <message>
    <source>Mark Holes as Form Features</source>
    <translation>Löcher als Formelemente markieren</translation>
   </message>
   <message>
-   <source>Every hole through both skins becomes a form feature: it keeps its shape, wall included</source>
-   <translation>Jedes Loch durch beide Häute wird ein Formelement: es behält seine Form samt Wand</translation>
+   <source>Turns every hole through both skins into a form feature, which keeps its shape, wall included</source>
+   <translation>Macht jedes Loch durch beide Häute zu einem Formelement, das seine Form samt Wand behält</translation>
   </message>
  </context>
  <context>

@@ -9,23 +9,23 @@
    <translation>部品を追加</translation>
   </message>
   <message>
-   <source>Adds the selected meshes and shapes to the morph as parts that deform</source>
-   <translation>選択したメッシュと形状を、変形する部品としてモーフに加えます</translation>
+   <source>Adds the selected meshes and shapes to the morph as parts</source>
+   <translation>選択したメッシュと形状を部品としてモーフに追加します</translation>
   </message>
   <message>
-   <source>What is selected has no faces.</source>
-   <translation>選択したものには面がありません。</translation>
+   <source>The selected objects have no faces. Select meshes or shapes.</source>
+   <translation>選択したオブジェクトには面がありません。メッシュまたは形状を選択してください。</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_BlendPoses</name>
   <message>
    <source>Blend Poses…</source>
-   <translation>姿勢を混ぜる…</translation>
+   <translation>姿勢をブレンド…</translation>
   </message>
   <message>
-   <source>Goes from one pose to another with a slider, and compares them</source>
-   <translation>スライダーで姿勢から姿勢へ動かし、比べます</translation>
+   <source>Blends from one pose to another with a slider, and compares the two</source>
+   <translation>スライダーで一方の姿勢から他方の姿勢へブレンドし、両者を比較します</translation>
   </message>
  </context>
  <context>
@@ -35,8 +35,8 @@
    <translation>証明書…</translation>
   </message>
   <message>
-   <source>Writes all deformed parts into a folder, reads them again, measures and judges them</source>
-   <translation>変形したすべてのパーツをフォルダーに書き出し、読み直して測定・判定します</translation>
+   <source>Writes all deformed parts to a folder, reads them back, and checks them against criteria</source>
+   <translation>変形したすべての部品をフォルダーに書き出し、読み直して基準に照らして検査します</translation>
   </message>
   <message>
    <source>Certificate</source>
@@ -54,8 +54,8 @@
    <translation>インストールの確認</translation>
   </message>
   <message>
-   <source>Shows whether the deformation kernel works, as a report to copy</source>
-   <translation>変形カーネルが動作するかを、コピーできる報告として示します</translation>
+   <source>Checks the deformation kernel and shows a report that you can copy</source>
+   <translation>変形カーネルを検査し、コピーできる報告を表示します</translation>
   </message>
   <message>
    <source>Copy</source>
@@ -69,8 +69,8 @@
    <translation>メッシュとして複製</translation>
   </message>
   <message>
-   <source>Copies the parts as ordinary meshes, as they are now or in the selected pose</source>
-   <translation>部品を今の形または選択した姿勢で通常のメッシュとして複製します</translation>
+   <source>Copies the parts as plain meshes, in their current shape or in the selected pose</source>
+   <translation>部品を、現在の形状または選択した姿勢で、通常のメッシュとして複製します</translation>
   </message>
  </context>
  <context>
@@ -80,8 +80,8 @@
    <translation>姿勢で複製</translation>
   </message>
   <message>
-   <source>Copies the whole morph and puts the copy into the selected pose; the original stays</source>
-   <translation>モーフ全体を複製し、複製を選択した姿勢にします。元はそのまま残ります</translation>
+   <source>Copies the whole morph and applies the selected pose to the copy</source>
+   <translation>モーフ全体を複製し、選択した姿勢を複製に適用します</translation>
   </message>
  </context>
  <context>
@@ -91,8 +91,8 @@
    <translation>モーフを作成</translation>
   </message>
   <message>
-   <source>Creates a morph; selected meshes and shapes become its parts and stay as they are</source>
-   <translation>モーフを作成します。選択したメッシュと形状は部品になり、元のまま残ります</translation>
+   <source>Creates a morph from the selected meshes and shapes, which stay unchanged</source>
+   <translation>選択したメッシュと形状からモーフを作成します。元のオブジェクトは変わりません</translation>
   </message>
  </context>
  <context>
@@ -102,27 +102,27 @@
    <translation>変形した形状</translation>
   </message>
   <message>
-   <source>Makes a shape of the selected part, deformed, with the faces of the one it was made from</source>
-   <translation>選択した部品から、元の形状と同じ面を持つ変形した形状を作ります</translation>
+   <source>Creates a deformed CAD shape of the selected part, with the faces of its original shape</source>
+   <translation>選択した部品の変形後の CAD 形状を、元の形状と同じ面構成で作成します</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_ExportParts</name>
   <message>
-   <source>These files are there already, and SheetMorph did not write them as they are now:</source>
-   <translation>次のファイルはすでにあり、SheetMorph が書いたままのものではありません:</translation>
+   <source>These files already exist, and SheetMorph did not write their current content:</source>
+   <translation>次のファイルはすでに存在し、現在の内容は SheetMorph が書いたものではありません:</translation>
   </message>
   <message>
-   <source>Write over them?</source>
+   <source>Overwrite them?</source>
    <translation>上書きしますか?</translation>
   </message>
   <message>
    <source>Export Parts…</source>
-   <translation>部品を書き出す…</translation>
+   <translation>部品をエクスポート…</translation>
   </message>
   <message>
-   <source>Writes all deformed parts into a folder, each in its own file format</source>
-   <translation>変形した全部品を、それぞれのファイル形式でフォルダーに書き出します</translation>
+   <source>Writes all deformed parts to a folder, each in its original file format</source>
+   <translation>変形したすべての部品を、それぞれ元のファイル形式でフォルダーに書き出します</translation>
   </message>
   <message>
    <source>Export Parts</source>
@@ -133,11 +133,11 @@
   <name>SheetMorph_ExportRecipe</name>
   <message>
    <source>Export Recipe…</source>
-   <translation>レシピを書き出す…</translation>
+   <translation>レシピをエクスポート…</translation>
   </message>
   <message>
    <source>Writes the morph as a recipe that also runs without FreeCAD</source>
-   <translation>FreeCADなしでも実行できるレシピとしてモーフを書き出します</translation>
+   <translation>モーフを、FreeCAD なしでも実行できるレシピとして書き出します</translation>
   </message>
   <message>
    <source>Export Recipe</source>
@@ -151,8 +151,8 @@
    <translation>形状特徴の設定…</translation>
   </message>
   <message>
-   <source>Says how the selected form feature turns, what it may do, and which size it has</source>
-   <translation>選択した形状特徴の回り方、許される動き、大きさを決めます</translation>
+   <source>Sets the rotation, the motion and the size of the selected form feature</source>
+   <translation>選択した形状特徴の回転、動き、大きさを設定します</translation>
   </message>
  </context>
  <context>
@@ -162,8 +162,8 @@
    <translation>接触を探す…</translation>
   </message>
   <message>
-   <source>Finds where parts lie on each other or are bolted; those you accept become contacts</source>
-   <translation>部品が重なる所やボルト締めの所を探します。採用したものが接触になります</translation>
+   <source>Finds where parts touch or are bolted; the ones you accept become contacts</source>
+   <translation>部品が接する所やボルト締めの所を探します。採用したものが接触になります</translation>
   </message>
  </context>
  <context>
@@ -173,8 +173,8 @@
    <translation>形状特徴を探す…</translation>
   </message>
   <message>
-   <source>Finds holes and other features on all parts; those you accept become form features</source>
-   <translation>全部品の穴などを探します。採用したものが形状特徴になります</translation>
+   <source>Finds holes and other features on all parts; the ones you accept become form features</source>
+   <translation>すべての部品の穴やその他の特徴を探します。採用したものが形状特徴になります</translation>
   </message>
  </context>
  <context>
@@ -184,8 +184,8 @@
    <translation>展開</translation>
   </message>
   <message>
-   <source>Lays the selected part flat, as it is now and at rest: sketches of its blank and bend lines</source>
-   <translation>選択した部品を今の形のまま平らに展開します: 曲げ線の入ったブランクのスケッチ</translation>
+   <source>Flattens the selected part, in its current shape and at rest: sketches of blank and bend lines</source>
+   <translation>選択した部品を、現在の形状と初期形状の両方で展開します: ブランクと曲げ線のスケッチ</translation>
   </message>
  </context>
  <context>
@@ -195,8 +195,8 @@
    <translation>形状に追従</translation>
   </message>
   <message>
-   <source>Meshes the body or shape that the selected part was made from as it is now; what was picked is found again, and what came out different is told and selected</source>
-   <translation>選択した部品の元になったボディまたは形状を現在の状態でメッシュ化します。選択していた箇所は再び見つけられ、変わったものは通知され選択されます</translation>
+   <source>Meshes the changed body or shape of the selected part again and finds its regions on the new mesh; regions that changed are listed and selected</source>
+   <translation>選択した部品の変更されたボディまたは形状を再メッシュし、新しいメッシュ上で領域を見つけ直します。変わった領域は一覧に示して選択します</translation>
   </message>
   <message>
    <source>“{0}” was {1}. Which one is it now?</source>
@@ -210,8 +210,8 @@
    <translation>形状特徴をまとめる</translation>
   </message>
   <message>
-   <source>Lets the selected form features of a part move as one body</source>
-   <translation>選択した同じ部品の形状特徴を一つの剛体として動かします</translation>
+   <source>Moves the selected form features of a part as one rigid body</source>
+   <translation>選択した同じ部品の形状特徴を、一つの剛体として動かします</translation>
   </message>
  </context>
  <context>
@@ -221,80 +221,80 @@
    <translation>ガイド</translation>
   </message>
   <message>
-   <source>Leads through a morph step by step: says what is missing and opens what is needed</source>
-   <translation>モーフの作り方を一歩ずつ案内します。足りないものを示し、必要なパネルを開きます</translation>
+   <source>Guides you through a morph step by step: shows what is missing and opens the right panel</source>
+   <translation>モーフの作成を順を追って案内します。足りないものを示し、該当するパネルを開きます</translation>
   </message>
   <message>
    <source>Import a mesh or CAD file, or select meshes in the tree and create a morph.</source>
-   <translation>メッシュかCADファイルを読み込むか、ツリーでメッシュを選んでモーフを作成してください。</translation>
+   <translation>メッシュまたは CAD ファイルをインポートするか、ツリーでメッシュを選択してモーフを作成してください。</translation>
   </message>
   <message>
-   <source>This document has several morphs: select one of them in the tree.</source>
-   <translation>この文書には複数のモーフがあります。ツリーで一つ選んでください。</translation>
+   <source>This document has several morphs: select one in the tree.</source>
+   <translation>このドキュメントには複数のモーフがあります。ツリーで一つ選択してください。</translation>
   </message>
   <message>
    <source>The morph has no part yet: import a file or add a mesh.</source>
-   <translation>モーフに部品がまだありません。ファイルを読み込むかメッシュを追加してください。</translation>
+   <translation>モーフにまだ部品がありません。ファイルをインポートするか、メッシュを追加してください。</translation>
   </message>
   <message>
    <source>Parts: {count}; “{primary}” is deformed first.</source>
    <translation>部品 {count} 個。「{primary}」が最初に変形します。</translation>
   </message>
   <message>
-   <source>“{source}” was edited: Follow Shape lets “{part}” follow.</source>
-   <translation>「{source}」が編集されました。「形状に追従」で「{part}」が追従します。</translation>
+   <source>“{source}” was edited: use Follow Shape to update “{part}”.</source>
+   <translation>「{source}」が編集されました。「形状に追従」で「{part}」を更新してください。</translation>
   </message>
   <message>
-   <source>Nothing is held yet: mark what stays where it is.</source>
-   <translation>まだ何も固定されていません。動かない所を指定してください。</translation>
+   <source>Nothing is fixed yet: mark a region that stays in place.</source>
+   <translation>まだ何も固定されていません。動かない領域を指定してください。</translation>
   </message>
   <message>
    <source>Fixed regions: {count}.</source>
    <translation>固定領域 {count} 個。</translation>
   </message>
   <message>
-   <source>No hole keeps its shape yet: find them all, or pick those that matter. Or go on without.</source>
-   <translation>形を保つ穴がまだありません。すべて探すか、必要な穴を選んでください。なしで進むこともできます。</translation>
+   <source>No hole keeps its shape yet: find all holes, mark the important ones, or skip this step.</source>
+   <translation>形を保つ穴がまだありません。すべて探すか、重要な穴を指定するか、この手順を飛ばしてください。</translation>
   </message>
   <message>
-   <source>Form features that keep their shape exactly: {count}.</source>
-   <translation>形状特徴 {count} 個の形が正確に保たれます。</translation>
+   <source>Form features that keep their exact shape: {count}.</source>
+   <translation>形を正確に保つ形状特徴: {count} 個。</translation>
   </message>
   <message>
-   <source>One part only: there is nothing to connect.</source>
-   <translation>部品は一つだけで、つなぐものはありません。</translation>
+   <source>There is only one part: no contact is needed.</source>
+   <translation>部品は一つだけなので、接触は不要です。</translation>
   </message>
   <message>
-   <source>One control mesh around everything moves all parts.</source>
+   <source>A single control mesh around everything moves all parts.</source>
    <translation>全体を囲む一つの制御メッシュがすべての部品を動かします。</translation>
   </message>
   <message>
-   <source>Not connected with “{primary}”, so they would not follow: {parts}.</source>
-   <translation>「{primary}」とつながっていないため追従しません: {parts}。</translation>
+   <source>These parts are not connected to “{primary}” and will not follow: {parts}.</source>
+   <translation>次の部品は「{primary}」とつながっていないため追従しません: {parts}。</translation>
   </message>
   <message>
-   <source>Contacts, reaching every part: {count}.</source>
-   <translation>接触 {count} 個ですべての部品に届きます。</translation>
+   <source>Contacts: {count}; they connect all parts.</source>
+   <translation>接触 {count} 個がすべての部品をつなぎます。</translation>
   </message>
   <message>
-   <source>Nothing can be moved yet: mark what you want to move.</source>
-   <translation>まだ動かせるものがありません。動かしたい所を指定してください。</translation>
+   <source>There is no handle yet: mark a region that you want to move.</source>
+   <translation>ハンドルがまだありません。動かしたい領域を指定してください。</translation>
   </message>
   <message>
    <source>Handles: {count}.</source>
    <translation>ハンドル {count} 個。</translation>
   </message>
   <message>
-   <source>Comes when there is a fixed region and a handle.</source>
-   <translation>固定領域とハンドルがそろうと使えます。</translation>
+   <source>Available after you mark a fixed region and a handle.</source>
+   <translation>固定領域とハンドルを指定すると使えます。</translation>
   </message>
   <message>
-   <source>Everything is ready: move the handle and watch.</source>
-   <translation>準備ができました。ハンドルを動かしてみてください。</translation>
+   <source>Everything is ready: move the handle.</source>
+   <translation>準備ができました。ハンドルを動かしてください。</translation>
   </message>
   <message>
-   <source>Moved. Move on, export the parts, keep this as a pose, or study variants.</source>
-   <translation>動かしました。さらに動かすか、部品を書き出すか、ポーズとして残すか、変種を調べてください。</translation>
+   <source>The handle has moved. Move it further, export the parts, save a pose, or run a study.</source>
+   <translation>ハンドルが動きました。さらに動かすか、部品をエクスポートするか、姿勢を保存するか、スタディを実行してください。</translation>
   </message>
  </context>
  <context>
@@ -304,20 +304,20 @@
    <translation>CAD 形状をメッシュ化</translation>
   </message>
   <message>
-   <source>Longest edge (0 mm: a hundredth of the size)</source>
-   <translation>最長の辺 (0 mm は大きさの百分の一)</translation>
+   <source>Maximum edge length (0 = automatic, 1/100 of the size)</source>
+   <translation>最大の辺の長さ (0 = 自動、大きさの 1/100)</translation>
   </message>
   <message>
-   <source>“{0}” is no length; type one such as 5 mm.</source>
-   <translation>“{0}” は長さではありません。5 mm のように入力してください。</translation>
+   <source>“{0}” is not a length. Enter a length such as 5 mm.</source>
+   <translation>「{0}」は長さではありません。5 mm のような長さを入力してください。</translation>
   </message>
   <message>
    <source>Import Part…</source>
-   <translation>部品を読み込む…</translation>
+   <translation>部品をインポート…</translation>
   </message>
   <message>
-   <source>Imports a mesh as a part, with its exact positions, every property of a deck, or every solid of a CAD file, meshed</source>
-   <translation>メッシュを正確な座標のままパーツとして、デッキの各プロパティ、または CAD ファイルの各ソリッドをメッシュ化して読み込みます</translation>
+   <source>Imports a mesh, every property of a deck, or every solid of a CAD file as parts</source>
+   <translation>メッシュ、デッキの各プロパティ、または CAD ファイルの各ソリッドを部品としてインポートします</translation>
   </message>
   <message>
    <source>Import Part</source>
@@ -328,11 +328,11 @@
   <name>SheetMorph_ImportRecipe</name>
   <message>
    <source>Import Recipe…</source>
-   <translation>レシピを読み込む…</translation>
+   <translation>レシピをインポート…</translation>
   </message>
   <message>
-   <source>Creates a morph from a recipe and the mesh files it names</source>
-   <translation>レシピとそこに書かれたメッシュファイルからモーフを作成します</translation>
+   <source>Creates a morph from a recipe and its mesh files</source>
+   <translation>レシピとそのメッシュファイルからモーフを作成します</translation>
   </message>
   <message>
    <source>Import Recipe</source>
@@ -346,7 +346,7 @@
    <translation>距離を保つ</translation>
   </message>
   <message>
-   <source>Lets two selected form features, of one part or of two, keep their distance</source>
+   <source>Keeps the distance between two selected form features, on one part or on two</source>
    <translation>選択した二つの形状特徴(同じ部品でも別の部品でも)の距離を保ちます</translation>
   </message>
  </context>
@@ -357,8 +357,8 @@
    <translation>同軸にする</translation>
   </message>
   <message>
-   <source>Lets two selected form features, of one part or of two, keep their common axis</source>
-   <translation>選択した二つの形状特徴(同じ部品でも別の部品でも)の共通の軸を保ちます</translation>
+   <source>Keeps two selected form features on a common axis, on one part or on two</source>
+   <translation>選択した二つの形状特徴(同じ部品でも別の部品でも)を共通の軸上に保ちます</translation>
   </message>
  </context>
  <context>
@@ -368,8 +368,8 @@
    <translation>接触を指定…</translation>
   </message>
   <message>
-   <source>Joins two parts where they touch, so that one follows the other; select both, or click on them in the panel</source>
-   <translation>触れ合う二つの部品をつなぎ、一方が他方に追従するようにします。両方を選ぶか、パネルで選んでください</translation>
+   <source>Joins two parts where they touch, so that one follows the other. Select both parts, or click on them in the 3D view</source>
+   <translation>触れ合う二つの部品をつなぎ、一方が他方に追従するようにします。両方の部品を選択するか、3D ビューでクリックしてください</translation>
   </message>
  </context>
  <context>
@@ -379,8 +379,8 @@
    <translation>形状特徴を指定…</translation>
   </message>
   <message>
-   <source>Marks holes and other form features that move but keep their shape</source>
-   <translation>動いても形を保つ穴などの形状特徴を指定します</translation>
+   <source>Marks holes and other form features, which move but keep their shape</source>
+   <translation>動いても形を保つ、穴などの形状特徴を指定します</translation>
   </message>
  </context>
  <context>
@@ -390,8 +390,8 @@
    <translation>固定領域を指定…</translation>
   </message>
   <message>
-   <source>Marks a region that stays where it is, by picking in the 3D view</source>
-   <translation>3Dビューで選んで、動かない領域を指定します</translation>
+   <source>Marks a region that stays in place, by picking in the 3D view</source>
+   <translation>3D ビューで選択して、動かない領域を指定します</translation>
   </message>
  </context>
  <context>
@@ -401,8 +401,8 @@
    <translation>追従領域を指定…</translation>
   </message>
   <message>
-   <source>Marks a region that goes with the control meshes of the part's contacts</source>
-   <translation>部品の接触の制御メッシュとともに動く領域を指定します</translation>
+   <source>Marks a region that follows the control meshes of the part's contacts</source>
+   <translation>部品の接触の制御メッシュに追従する領域を指定します</translation>
   </message>
  </context>
  <context>
@@ -412,8 +412,8 @@
    <translation>ハンドルを指定…</translation>
   </message>
   <message>
-   <source>Marks a region that is moved and turned as you say; the part follows</source>
-   <translation>思いどおりに動かし回す領域を指定します。部品が追従します</translation>
+   <source>Marks a region that you move and turn; the part follows</source>
+   <translation>動かしたり回したりする領域を指定します。部品がそれに追従します</translation>
   </message>
  </context>
  <context>
@@ -423,19 +423,19 @@
    <translation>ハンドルを動かす…</translation>
   </message>
   <message>
-   <source>Moves and turns a handle; the parts follow while you change the values</source>
-   <translation>ハンドルを動かし回します。値を変える間、部品が追従します</translation>
+   <source>Moves and turns a handle; the parts follow as you change the values</source>
+   <translation>ハンドルを動かして回します。値を変えると部品が追従します</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_OpenExample</name>
   <message>
    <source>Open Example…</source>
-   <translation>例題を開く…</translation>
+   <translation>例を開く…</translation>
   </message>
   <message>
-   <source>Opens an example assembly whose regions are marked, ready to move</source>
-   <translation>領域を指定済みで、すぐ動かせる例題のアセンブリを開きます</translation>
+   <source>Opens an example assembly that is ready to move</source>
+   <translation>すぐに動かせるアセンブリの例を開きます</translation>
   </message>
   <message>
    <source>Open Example</source>
@@ -453,8 +453,8 @@
    <translation>メッシュを準備…</translation>
   </message>
   <message>
-   <source>Tells what is wrong with the mesh of the selected part, cures it and meshes it anew</source>
-   <translation>選択した部品のメッシュの問題を示し、修復し、再メッシュします</translation>
+   <source>Checks the mesh of the selected part, repairs it and remeshes it</source>
+   <translation>選択した部品のメッシュを検査し、修復し、再メッシュします</translation>
   </message>
  </context>
  <context>
@@ -464,8 +464,8 @@
    <translation>伝播…</translation>
   </message>
   <message>
-   <source>Shows how the motion goes from the primary part through the contacts to the others</source>
-   <translation>動きが主部品から接触を通って他の部品へ伝わる様子を示します</translation>
+   <source>Shows how the motion spreads from the primary part through the contacts</source>
+   <translation>主部品から接触を通じて動きが伝わる様子を示します</translation>
   </message>
  </context>
  <context>
@@ -475,8 +475,8 @@
    <translation>ファイルを置き換え…</translation>
   </message>
   <message>
-   <source>Reads the changed file of the selected part; what was picked on it is found again, and what came out different is told and selected</source>
-   <translation>選択した部品の変更されたファイルを読み込みます。選択していた箇所は再び見つけられ、変わったものは通知され選択されます</translation>
+   <source>Reads the changed file of the selected part and finds its regions on the new mesh; regions that changed are listed and selected</source>
+   <translation>選択した部品の変更されたファイルを読み込み、新しいメッシュ上で領域を見つけ直します。変わった領域は一覧に示して選択します</translation>
   </message>
   <message>
    <source>Replace File</source>
@@ -490,8 +490,8 @@
    <translation>動きを戻す</translation>
   </message>
   <message>
-   <source>Puts the selected handles, else all handles of the morph, back to rest</source>
-   <translation>選択したハンドル、なければモーフの全ハンドルを初期位置に戻します</translation>
+   <source>Returns the selected handles, or all handles of the morph, to rest</source>
+   <translation>選択したハンドル、選択がなければモーフのすべてのハンドルを初期位置に戻します</translation>
   </message>
  </context>
  <context>
@@ -501,8 +501,8 @@
    <translation>姿勢を保存…</translation>
   </message>
   <message>
-   <source>Keeps where all handles are now, under a name to come back to</source>
-   <translation>全ハンドルの今の位置に名前を付けて残し、後で戻れるようにします</translation>
+   <source>Saves the current positions of all handles under a name</source>
+   <translation>すべてのハンドルの現在の位置に名前を付けて保存します</translation>
   </message>
   <message>
    <source>Save Pose</source>
@@ -524,8 +524,8 @@
    <translation>主部品にする</translation>
   </message>
   <message>
-   <source>Makes the selected part the primary: it is deformed first, the others follow it</source>
-   <translation>選択した部品を主部品にします。最初に変形し、他の部品が追従します</translation>
+   <source>Makes the selected part the primary part, which is deformed first; the others follow it</source>
+   <translation>選択した部品を主部品にします。主部品が最初に変形し、他の部品が追従します</translation>
   </message>
  </context>
  <context>
@@ -535,8 +535,8 @@
    <translation>スタディ…</translation>
   </message>
   <message>
-   <source>Computes many variants in the background, each certified, and shows them in a table</source>
-   <translation>多くの変種を背景で計算し、それぞれ検証して表に示します</translation>
+   <source>Computes and certifies many variants in the background and lists them in a table</source>
+   <translation>多くのバリアントをバックグラウンドで計算・認証し、表に示します</translation>
   </message>
  </context>
  <context>
@@ -546,19 +546,19 @@
    <translation>板厚…</translation>
   </message>
   <message>
-   <source>Shows in colours how thick the selected part is, and lets it bend as one sheet</source>
+   <source>Shows the thickness of the selected part in colours, and lets the part bend as one sheet</source>
    <translation>選択した部品の板厚を色で示し、一枚の板として曲がるようにします</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_actions</name>
   <message>
-   <source>This is a mistake of the program ({0}). Please report it.</source>
-   <translation>これはプログラムの誤りです({0})。報告してください。</translation>
+   <source>SheetMorph has a bug ({0}). Please report it.</source>
+   <translation>SheetMorph の不具合です({0})。ご報告ください。</translation>
   </message>
   <message>
-   <source>Cancelled; nothing was changed.</source>
-   <translation>中止しました。何も変更されていません。</translation>
+   <source>Cancelled. Nothing was changed.</source>
+   <translation>キャンセルしました。何も変更されていません。</translation>
   </message>
   <message>
    <source>Cancel</source>
@@ -566,7 +566,7 @@
   </message>
   <message>
    <source>Cancelling…</source>
-   <translation>中止しています…</translation>
+   <translation>キャンセルしています…</translation>
   </message>
  </context>
  <context>
@@ -580,8 +580,8 @@
    <translation>部品</translation>
   </message>
   <message>
-   <source>The part on this side; or click on it in the 3D view</source>
-   <translation>こちら側の部品。3Dビューで選ぶこともできます</translation>
+   <source>The part on this side. You can also click on it in the 3D view</source>
+   <translation>こちら側の部品。3D ビューでクリックして選ぶこともできます</translation>
   </message>
   <message>
    <source>Type</source>
@@ -589,23 +589,23 @@
   </message>
   <message>
    <source>How the second part follows the first</source>
-   <translation>二つ目の部品が一つ目にどう追従するか</translation>
+   <translation>二つ目の部品が一つ目に追従する方法</translation>
   </message>
   <message>
    <source>In use</source>
-   <translation>使用する</translation>
+   <translation>使用中</translation>
   </message>
   <message>
-   <source>Off: the contact is kept but moves nothing, as if the weld were open</source>
-   <translation>オフ: 接触は残りますが、溶接が外れたように何も動かしません</translation>
+   <source>Off: the contact stays in the document but transfers no motion</source>
+   <translation>オフ: 接触はドキュメントに残りますが、動きを伝えません</translation>
   </message>
   <message>
    <source>Vertices</source>
    <translation>頂点</translation>
   </message>
   <message>
-   <source>Which vertices of both parts are joined</source>
-   <translation>両部品のどの頂点をつなぐか</translation>
+   <source>The vertices of both parts that the contact joins</source>
+   <translation>接触でつなぐ両部品の頂点</translation>
   </message>
   <message>
    <source>Within the gap distance</source>
@@ -621,7 +621,7 @@
   </message>
   <message>
    <source>Gap distance: vertices within this distance of the other part belong to the contact</source>
-   <translation>隙間距離: 相手の部品からこの距離以内の頂点が接触に含まれます</translation>
+   <translation>隙間の距離: 相手の部品からこの距離以内の頂点が接触に含まれます</translation>
   </message>
   <message>
    <source>Pick</source>
@@ -639,16 +639,16 @@
    <translation>回転</translation>
   </message>
   <message>
-   <source>What decides how the form feature turns</source>
-   <translation>形状特徴の回り方を決めるもの</translation>
+   <source>How the rotation of the form feature is determined</source>
+   <translation>形状特徴の回転の決め方</translation>
   </message>
   <message>
-   <source>Free: the sheet turns it</source>
-   <translation>自由: 板が回す</translation>
+   <source>Free: follows the sheet</source>
+   <translation>自由: 板に従う</translation>
   </message>
   <message>
-   <source>Interpolated: as the handles turn</source>
-   <translation>補間: ハンドルの回転に合わせる</translation>
+   <source>Interpolated: follows the handles</source>
+   <translation>補間: ハンドルに従う</translation>
   </message>
   <message>
    <source>Prescribed</source>
@@ -675,15 +675,15 @@
    <translation>角度</translation>
   </message>
   <message>
-   <source>Angle of the rotation, any number of turns</source>
-   <translation>回転角度(何回転でも可)</translation>
+   <source>Angle of the rotation; more than one turn is possible</source>
+   <translation>回転角度。一回転を超えてもかまいません</translation>
   </message>
   <message>
    <source>Motion</source>
    <translation>動き</translation>
   </message>
   <message>
-   <source>What the form feature may do</source>
+   <source>The motion that the form feature is allowed</source>
    <translation>形状特徴に許される動き</translation>
   </message>
   <message>
@@ -691,19 +691,19 @@
    <translation>自由</translation>
   </message>
   <message>
-   <source>Fixed: stays where it is</source>
+   <source>Fixed: stays in place</source>
    <translation>固定: 動かない</translation>
   </message>
   <message>
-   <source>Translation: never turns</source>
+   <source>Translation: does not turn</source>
    <translation>平行移動: 回らない</translation>
   </message>
   <message>
-   <source>Plane: shifts in a plane</source>
+   <source>Plane: moves in a plane</source>
    <translation>平面: 平面内で動く</translation>
   </message>
   <message>
-   <source>Line: shifts along a line</source>
+   <source>Line: moves along a line</source>
    <translation>直線: 直線に沿って動く</translation>
   </message>
   <message>
@@ -747,8 +747,8 @@
    <translation>大きさ</translation>
   </message>
   <message>
-   <source>Gives the hole, slot or cylinder a size of its own; the sheet around follows</source>
-   <translation>穴・長穴・円筒に独自の大きさを与えます。周りの板が追従します</translation>
+   <source>Sets the size of the hole, slot or cylinder; the sheet around it follows</source>
+   <translation>穴・長穴・円筒の大きさを設定します。周りの板が追従します</translation>
   </message>
   <message>
    <source>Diameter of a hole, length of a slot, radius of a cylinder</source>
@@ -759,19 +759,19 @@
    <translation>関係</translation>
   </message>
   <message>
-   <source>What the form feature keeps with the others that are ticked</source>
-   <translation>チェックした他の形状特徴との間で保つもの</translation>
+   <source>Relation between this form feature and the ticked ones</source>
+   <translation>この形状特徴とチェックした形状特徴との関係</translation>
   </message>
   <message>
-   <source>None to add</source>
-   <translation>追加しない</translation>
+   <source>No new relation</source>
+   <translation>新しい関係なし</translation>
   </message>
   <message>
    <source>Group: moves as one body with…</source>
    <translation>まとめる: 一つの剛体として動く相手…</translation>
   </message>
   <message>
-   <source>Coaxial: keeps its axis with…</source>
+   <source>Coaxial: shares its axis with…</source>
    <translation>同軸: 軸を共有する相手…</translation>
   </message>
   <message>
@@ -779,27 +779,55 @@
    <translation>距離: 距離を保つ相手…</translation>
   </message>
   <message>
-   <source>The form features it is related to</source>
-   <translation>関係する形状特徴</translation>
+   <source>Form features for the new relation</source>
+   <translation>新しい関係の相手となる形状特徴</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_find</name>
   <message>
+   <source>Already in the document</source>
+   <translation>ドキュメントに既存</translation>
+  </message>
+  <message>
    <source>Find Features</source>
    <translation>形状特徴を探す</translation>
+  </message>
+  <message>
+   <source>Feature</source>
+   <translation>形状特徴</translation>
+  </message>
+  <message>
+   <source>Size</source>
+   <translation>大きさ</translation>
+  </message>
+  <message>
+   <source>Deviation</source>
+   <translation>偏差</translation>
   </message>
   <message>
    <source>Find Contacts</source>
    <translation>接触を探す</translation>
   </message>
   <message>
-   <source>Size: diameter or length. Quality: how far the rim is off its form.</source>
-   <translation>大きさ: 直径または長さ。品質: 縁が形からどれだけずれているか。</translation>
+   <source>Contact</source>
+   <translation>接触</translation>
   </message>
   <message>
-   <source>Size: of the place. Gap: between the parts, measured in the middle.</source>
-   <translation>大きさ: 接触する所の大きさ。隙間: 部品の間を中央で測ったもの。</translation>
+   <source>Type</source>
+   <translation>種類</translation>
+  </message>
+  <message>
+   <source>Gap</source>
+   <translation>隙間</translation>
+  </message>
+  <message>
+   <source>Size: diameter or length. Deviation: distance of the rim from its ideal form.</source>
+   <translation>大きさ: 直径または長さ。偏差: 縁と理想形状との距離。</translation>
+  </message>
+  <message>
+   <source>Size of the contact area; median gap.</source>
+   <translation>接触領域の大きさと、隙間の中央値。</translation>
   </message>
   <message>
    <source>Find</source>
@@ -814,44 +842,44 @@
    <translation>種類</translation>
   </message>
   <message>
-   <source>Shows one kind only; what is not shown is not taken</source>
-   <translation>一種類だけ表示します。表示されないものは採用されません</translation>
+   <source>Shows one kind only. Hidden rows are not created</source>
+   <translation>一種類だけ表示します。隠れた行は作成されません</translation>
   </message>
   <message>
    <source>From</source>
    <translation>最小</translation>
   </message>
   <message>
-   <source>Hides what is smaller; what is hidden is not taken</source>
-   <translation>これより小さいものを隠します。隠れたものは採用されません</translation>
+   <source>Hides smaller ones. Hidden rows are not created</source>
+   <translation>これより小さいものを隠します。隠れた行は作成されません</translation>
   </message>
   <message>
    <source>to</source>
    <translation>最大</translation>
   </message>
   <message>
-   <source>Hides what is larger; what is hidden is not taken</source>
-   <translation>これより大きいものを隠します。隠れたものは採用されません</translation>
+   <source>Hides larger ones. Hidden rows are not created</source>
+   <translation>これより大きいものを隠します。隠れた行は作成されません</translation>
   </message>
   <message>
    <source>any size</source>
    <translation>制限なし</translation>
   </message>
   <message>
-   <source>What was found; what is checked is taken. What the mouse is over lights up in the view</source>
-   <translation>見つかったもの。チェックしたものを採用します。マウスを重ねるとビューで光ります</translation>
+   <source>Checked rows are created. The row under the mouse lights up in the 3D view</source>
+   <translation>チェックした行を作成します。マウスの下の行が 3D ビューで光ります</translation>
   </message>
   <message>
-   <source>Checks everything that is shown</source>
-   <translation>表示中のものをすべてチェックします</translation>
+   <source>Checks all visible rows</source>
+   <translation>表示中のすべての行をチェックします</translation>
   </message>
   <message>
    <source>All</source>
    <translation>すべて</translation>
   </message>
   <message>
-   <source>Unchecks everything</source>
-   <translation>チェックをすべて外します</translation>
+   <source>Unchecks all visible rows</source>
+   <translation>表示中のすべての行のチェックを外します</translation>
   </message>
   <message>
    <source>None</source>
@@ -862,67 +890,67 @@
    <translation>許容値</translation>
   </message>
   <message>
-   <source>Rim off a circle, up to</source>
-   <translation>縁の円からのずれの上限</translation>
+   <source>Roundness tolerance</source>
+   <translation>真円度の許容値</translation>
   </message>
   <message>
-   <source>Largest distance of a rim vertex from the circle, of its radius</source>
-   <translation>縁の頂点の円からの最大距離(半径に対する比)</translation>
+   <source>Largest distance of a rim vertex from the fitted circle, relative to its radius</source>
+   <translation>縁の頂点と当てはめた円との最大距離(半径に対する比)</translation>
   </message>
   <message>
-   <source>An edge bends more than</source>
-   <translation>稜とみなす折れ角</translation>
+   <source>Edge angle</source>
+   <translation>稜の角度</translation>
   </message>
   <message>
-   <source>Where the surface bends more than this it has an edge</source>
-   <translation>面がこれより大きく折れる所を稜とします</translation>
+   <source>The surface has an edge where it bends by more than this angle</source>
+   <translation>面がこの角度より大きく折れる所を稜とします</translation>
   </message>
   <message>
-   <source>Washer rings</source>
-   <translation>ワッシャーの輪</translation>
+   <source>Rings around hole</source>
+   <translation>穴の周りの輪</translation>
   </message>
   <message>
-   <source>Rings of triangles around a hole that keep their form with it</source>
-   <translation>穴とともに形を保つ周りの三角形の輪の数</translation>
+   <source>Number of triangle rings around a hole that keep their shape with it</source>
+   <translation>穴とともに形を保つ、周りの三角形の輪の数</translation>
   </message>
   <message>
-   <source>All kinds, surfaces and beads too</source>
-   <translation>面やビードも含むすべての種類</translation>
+   <source>Also surfaces and beads</source>
+   <translation>面とビードも含む</translation>
   </message>
   <message>
-   <source>Proposes planes, cylinders, flanges and beads as well</source>
+   <source>Also proposes planes, cylinders, flanges and beads</source>
    <translation>平面・円筒・フランジ・ビードも提案します</translation>
   </message>
   <message>
    <source>Largest gap</source>
-   <translation>最大のすき間</translation>
+   <translation>最大の隙間</translation>
   </message>
   <message>
-   <source>Parts farther apart are not in contact; 0: as is proposed for these parts</source>
-   <translation>これより離れた部品は接触しません。0: これらの部品に対する提案値</translation>
+   <source>Parts farther apart are not in contact. 0: the proposed value for these parts</source>
+   <translation>これより離れた部品は接触とみなしません。0: これらの部品に対する提案値</translation>
   </message>
   <message>
-   <source>as proposed</source>
-   <translation>提案値</translation>
+   <source>automatic</source>
+   <translation>自動</translation>
   </message>
   <message>
-   <source>Surfaces face within</source>
-   <translation>面の向きの差</translation>
+   <source>Facing tolerance</source>
+   <translation>対向角の許容値</translation>
   </message>
   <message>
    <source>Largest angle between two surfaces in contact</source>
    <translation>接触する二つの面の間の最大角度</translation>
   </message>
   <message>
-   <source>One contact for two parts</source>
-   <translation>二部品に一つの接触</translation>
+   <source>One contact per pair of parts</source>
+   <translation>部品の組ごとに一つの接触</translation>
   </message>
   <message>
-   <source>Joins all places in which two parts touch into one contact</source>
+   <source>Joins all places where two parts touch into one contact</source>
    <translation>二つの部品が触れ合うすべての所を一つの接触にまとめます</translation>
   </message>
   <message>
-   <source>Searches anew with these tolerances</source>
+   <source>Searches again with these tolerances</source>
    <translation>この許容値で探し直します</translation>
   </message>
   <message>
@@ -937,28 +965,28 @@
    <translation>ガイド</translation>
   </message>
   <message>
-   <source>The morph that the guide speaks of: the selected one, or the only one</source>
-   <translation>ガイドの対象のモーフ(選択中のもの、または唯一のもの)</translation>
+   <source>The morph of this guide: the selected one, or the only one in the document</source>
+   <translation>ガイドの対象のモーフ(選択中のもの、またはドキュメント内の唯一のもの)</translation>
   </message>
   <message>
    <source>1  Parts</source>
    <translation>1  部品</translation>
   </message>
   <message>
-   <source>2  What stays</source>
-   <translation>2  動かない所</translation>
+   <source>2  Fixed regions</source>
+   <translation>2  固定領域</translation>
   </message>
   <message>
-   <source>3  What keeps its shape</source>
-   <translation>3  形を保つ所</translation>
+   <source>3  Form features</source>
+   <translation>3  形状特徴</translation>
   </message>
   <message>
-   <source>4  What is joined</source>
-   <translation>4  つながる所</translation>
+   <source>4  Contacts</source>
+   <translation>4  接触</translation>
   </message>
   <message>
-   <source>5  What moves</source>
-   <translation>5  動かす所</translation>
+   <source>5  Handles</source>
+   <translation>5  ハンドル</translation>
   </message>
   <message>
    <source>6  Move</source>
@@ -976,7 +1004,7 @@
    <translation>接触を使う</translation>
   </message>
   <message>
-   <source>Show What Is Wrong</source>
+   <source>Show Problem</source>
    <translation>問題を表示</translation>
   </message>
   <message>
@@ -1027,7 +1055,7 @@
    <translation>ハンドル</translation>
   </message>
   <message>
-   <source>The handle that is moved</source>
+   <source>The handle to move</source>
    <translation>動かすハンドル</translation>
   </message>
   <message>
@@ -1099,24 +1127,24 @@
    <translation>軸のZ成分</translation>
   </message>
   <message>
-   <source>How far the value that was changed last may go: red beyond, where something breaks. The mark is where it is</source>
-   <translation>最後に変えた値がどこまで行けるか：赤はその先で、何かが壊れます。印は現在の値です</translation>
+   <source>Admissible range of the value that you changed last: green is possible, red is not. The mark shows the current value</source>
+   <translation>最後に変えた値の許容範囲: 緑は可能、赤は不可能です。印は現在の値を示します</translation>
   </message>
   <message>
    <source>Pivot</source>
    <translation>回転中心</translation>
   </message>
   <message>
-   <source>X of the point that the handle turns about</source>
-   <translation>ハンドルの回転中心の X</translation>
+   <source>X of the centre of rotation</source>
+   <translation>回転中心の X</translation>
   </message>
   <message>
-   <source>Y of the point that the handle turns about</source>
-   <translation>ハンドルの回転中心の Y</translation>
+   <source>Y of the centre of rotation</source>
+   <translation>回転中心の Y</translation>
   </message>
   <message>
-   <source>Z of the point that the handle turns about</source>
-   <translation>ハンドルの回転中心の Z</translation>
+   <source>Z of the centre of rotation</source>
+   <translation>回転中心の Z</translation>
   </message>
   <message>
    <source>Centre of Handle</source>
@@ -1131,7 +1159,7 @@
    <translation>移動</translation>
   </message>
   <message>
-   <source>The arrows move the pivot; the shape stays as it is</source>
+   <source>The arrows move the pivot; the shape stays unchanged</source>
    <translation>矢印で回転中心を動かします。形は変わりません</translation>
   </message>
   <message>
@@ -1143,7 +1171,7 @@
    <translation>矢印</translation>
   </message>
   <message>
-   <source>Shows arrows and arcs in the 3D view that drag the handle</source>
+   <source>Shows arrows and arcs in the 3D view for dragging the handle</source>
    <translation>ハンドルをドラッグする矢印と円弧を3Dビューに表示します</translation>
   </message>
   <message>
@@ -1151,23 +1179,23 @@
    <translation>点をドラッグ</translation>
   </message>
   <message>
-   <source>Drags the point under the mouse in the plane of the view; the sheet decides how it turns. A point that is in no handle becomes one</source>
-   <translation>マウスの下の点を画面の平面内でドラッグします。回転は板が決めます。ハンドルにない点は新しいハンドルになります</translation>
+   <source>Drags the point under the mouse in the plane of the view; its rotation follows the sheet. A point outside every handle becomes a new handle</source>
+   <translation>マウスの下の点を画面の平面内でドラッグします。回転は板に従います。ハンドルの外の点は新しいハンドルになります</translation>
   </message>
   <message>
    <source>Snap to</source>
    <translation>刻み</translation>
   </message>
   <message>
-   <source>Drags the arrows in steps</source>
-   <translation>矢印を刻みに合わせてドラッグします</translation>
+   <source>Drags in steps</source>
+   <translation>刻みに合わせてドラッグします</translation>
   </message>
   <message>
-   <source>Steps of a translation</source>
+   <source>Step of translations</source>
    <translation>移動の刻み</translation>
   </message>
   <message>
-   <source>Steps of a rotation</source>
+   <source>Step of rotations</source>
    <translation>回転の刻み</translation>
   </message>
   <message>
@@ -1179,7 +1207,7 @@
    <translation>元の形</translation>
   </message>
   <message>
-   <source>Shows the shape at rest as a ghost</source>
+   <source>Shows the shape at rest, transparent</source>
    <translation>初期形状を半透明で表示します</translation>
   </message>
   <message>
@@ -1187,7 +1215,7 @@
    <translation>形状特徴</translation>
   </message>
   <message>
-   <source>Shows how far every form feature moves and turns</source>
+   <source>Shows the displacement and the rotation of every form feature</source>
    <translation>各形状特徴の移動量と回転量を表示します</translation>
   </message>
   <message>
@@ -1195,16 +1223,16 @@
    <translation>制御メッシュ</translation>
   </message>
   <message>
-   <source>Shows the control meshes of contacts as wires that move along</source>
-   <translation>接触の制御メッシュを、ともに動く線で表示します</translation>
+   <source>Shows the control meshes of the contacts as wireframes</source>
+   <translation>接触の制御メッシュをワイヤーフレームで表示します</translation>
   </message>
   <message>
    <source>Colours</source>
    <translation>色</translation>
   </message>
   <message>
-   <source>What the colours of the parts say</source>
-   <translation>部品の色が表すもの</translation>
+   <source>The quantity that the colours of the parts show</source>
+   <translation>部品の色が表す量</translation>
   </message>
   <message>
    <source>None</source>
@@ -1227,15 +1255,15 @@
    <translation>伸び</translation>
   </message>
   <message>
-   <source>Elements by quality: bars as it is, grey lines as it was at rest, red where the limit is</source>
-   <translation>品質ごとの要素数：棒は現在、灰色の線は静止時、赤は限界</translation>
+   <source>Number of elements by quality. Bars: current shape; grey lines: at rest; red: limit</source>
+   <translation>品質ごとの要素数。棒: 現在の形状、灰色の線: 初期形状、赤: 限界</translation>
   </message>
   <message>
    <source>Reset</source>
    <translation>元に戻す</translation>
   </message>
   <message>
-   <source>Puts this handle back to rest</source>
+   <source>Returns this handle to rest</source>
    <translation>このハンドルを初期位置に戻します</translation>
   </message>
   <message>
@@ -1243,8 +1271,8 @@
    <translation>結果の更新</translation>
   </message>
   <message>
-   <source>When the result objects follow; the 3D view always follows at once</source>
-   <translation>結果オブジェクトがいつ追従するか。3Dビューは常にすぐ追従します</translation>
+   <source>When the result objects are updated; the 3D view always updates at once</source>
+   <translation>結果オブジェクトを更新するタイミング。3D ビューは常にすぐ更新されます</translation>
   </message>
   <message>
    <source>Automatically</source>
@@ -1266,7 +1294,7 @@
  <context>
   <name>SheetMorph_panels</name>
   <message>
-   <source>The shape of {0} failed</source>
+   <source>The shape of {0} could not be computed</source>
    <translation>{0} の形状を計算できませんでした</translation>
   </message>
   <message>
@@ -1274,28 +1302,32 @@
    <translation>停止</translation>
   </message>
   <message>
-   <source>Stops computing; a recompute of the document computes the shape.</source>
-   <translation>計算を停止します。ドキュメントを再計算すると形状が計算されます。</translation>
+   <source>Stops the computation. Recompute the document to get the shape.</source>
+   <translation>計算を停止します。形状を得るにはドキュメントを再計算してください。</translation>
   </message>
   <message>
    <source>Computing the final shape of {0}</source>
    <translation>{0} の最終形状を計算中</translation>
   </message>
   <message>
-   <source>This shape failed for an unknown reason ({0}). Please report it.</source>
-   <translation>原因不明のエラーでこの形状を計算できませんでした ({0})。ご報告ください。</translation>
+   <source>This shape could not be computed for an unknown reason ({0}). Please report it.</source>
+   <translation>原因不明のエラーでこの形状を計算できませんでした({0})。ご報告ください。</translation>
   </message>
   <message>
-   <source>There is not enough memory for this shape. Close other documents, or mesh it coarser.</source>
-   <translation>この形状を計算するにはメモリが足りません。ほかのドキュメントを閉じるか、メッシュを粗くしてください。</translation>
+   <source>There is not enough memory for this shape. Close other documents, or use a coarser mesh.</source>
+   <translation>この形状を計算するにはメモリが足りません。ほかのドキュメントを閉じるか、より粗いメッシュを使ってください。</translation>
   </message>
   <message>
-   <source>There is nothing to show: no contact is in use.</source>
-   <translation>表示するものがありません。使用中の接触がありません。</translation>
+   <source>No values: no contact is in use.</source>
+   <translation>値がありません。使用中の接触がありません。</translation>
+  </message>
+  <message>
+   <source>{0} {1} on {2}</source>
+   <translation>{0} {1}({2})</translation>
   </message>
   <message>
    <source>{0}, near {1}</source>
-   <translation>{0}、{1} の近く</translation>
+   <translation>{0}({1} の近く)</translation>
   </message>
   <message>
    <source>Leave at rest</source>
@@ -1306,7 +1338,7 @@
    <translation>「{0}」を使わない</translation>
   </message>
   <message>
-   <source>Take out of “{0}”</source>
+   <source>Remove from “{0}”</source>
    <translation>「{0}」から除く</translation>
   </message>
   <message>
@@ -1339,7 +1371,7 @@
   </message>
   <message>
    <source>Parts: {0}, form features: {1}, contacts: {2}, joints: {3}</source>
-   <translation>パーツ: {0}、フォームフィーチャ: {1}、接触: {2}、結合: {3}</translation>
+   <translation>部品: {0}、形状特徴: {1}、接触: {2}、接合: {3}</translation>
   </message>
   <message>
    <source>Certificate</source>
@@ -1358,15 +1390,15 @@
    <translation>ほか {0} 件</translation>
   </message>
   <message>
-   <source>The parts are farther apart than that: give a larger gap distance, or pick by hand.</source>
-   <translation>部品はそれより離れています。隙間の距離を大きくするか、手で選んでください。</translation>
+   <source>The parts are farther apart than the gap distance: enter a larger one, or pick by hand.</source>
+   <translation>部品が隙間の距離より離れています。より大きい距離を入力するか、手で選択してください。</translation>
   </message>
   <message>
    <source>Choose two parts: click on one, then on the other.</source>
-   <translation>二つの部品を順にクリックして選んでください。</translation>
+   <translation>二つの部品を選んでください。一方をクリックし、次に他方をクリックします。</translation>
   </message>
   <message>
-   <source>A side is empty: pick at least one vertex on each part.</source>
+   <source>One side is empty: pick at least one vertex on each part.</source>
    <translation>片側が空です。各部品で頂点を一つ以上選んでください。</translation>
   </message>
   <message>
@@ -1386,48 +1418,48 @@
    <translation>剛結</translation>
   </message>
   <message>
-   <source>The other part bends along smoothly. Right for most flanges and weld seams.</source>
+   <source>The other part bends smoothly with it. Suits most flanges and weld seams.</source>
    <translation>相手の部品が滑らかに一緒に曲がります。ほとんどのフランジや溶接線に適します。</translation>
   </message>
   <message>
-   <source>Every vertex keeps its place over the facing triangle. For glued faces and mesh ties.</source>
-   <translation>各頂点が向かいの三角形上の位置を保ちます。接着面やメッシュの結合に。</translation>
+   <source>Every vertex keeps its position relative to the facing triangle. Suits glued faces and tied meshes.</source>
+   <translation>各頂点が向かいの三角形に対する位置を保ちます。接着面や結合したメッシュに適します。</translation>
   </message>
   <message>
-   <source>Both sides move as one stiff body. For bolts, rivets and spot welds.</source>
-   <translation>両側が一つの剛体として動きます。ボルト、リベット、スポット溶接に。</translation>
+   <source>Both sides move as one rigid body. Suits bolts, rivets and spot welds.</source>
+   <translation>両側が一つの剛体として動きます。ボルト、リベット、スポット溶接に適します。</translation>
   </message>
   <message>
    <source>Automatic</source>
    <translation>自動</translation>
   </message>
   <message>
-   <source>1 Whole part</source>
-   <translation>1 部品全体</translation>
+   <source>1 Whole part driven</source>
+   <translation>1 部品全体を駆動</translation>
   </message>
   <message>
-   <source>2 Contacts lead</source>
-   <translation>2 接触が導く</translation>
+   <source>2 Contacts driven</source>
+   <translation>2 接触を駆動</translation>
   </message>
   <message>
-   <source>3 Contacts and edges lead</source>
-   <translation>3 接触と縁が導く</translation>
+   <source>3 Contacts and edges driven</source>
+   <translation>3 接触と縁を駆動</translation>
   </message>
   <message>
-   <source>SheetMorph chooses by contacts and form features.</source>
+   <source>SheetMorph chooses from the contacts and form features.</source>
    <translation>接触と形状特徴から自動で選びます。</translation>
   </message>
   <message>
-   <source>The control mesh moves every vertex; form features would lose their shape.</source>
-   <translation>制御メッシュが全頂点を動かします。形状特徴は形を失います。</translation>
+   <source>The control mesh drives every vertex; form features would lose their shape.</source>
+   <translation>制御メッシュがすべての頂点を動かします。形状特徴は形を失います。</translation>
   </message>
   <message>
-   <source>Contacts and followers go with the control mesh, the rest bends like sheet; form features keep their shape.</source>
-   <translation>接触と追従領域は制御メッシュとともに動き、残りは板のように曲がります。形状特徴は形を保ちます。</translation>
+   <source>The control mesh drives contacts and followers; the rest bends like sheet metal, and form features keep their shape.</source>
+   <translation>制御メッシュが接触と追従領域を動かします。残りは板金のように曲がり、形状特徴は形を保ちます。</translation>
   </message>
   <message>
-   <source>As 2, and free edges inside the control mesh go with it too.</source>
-   <translation>2に加え、制御メッシュ内の自由な縁もともに動きます。</translation>
+   <source>As 2, and the control mesh also drives free edges inside it.</source>
+   <translation>2 に加え、制御メッシュ内の自由縁も動かします。</translation>
   </message>
   <message>
    <source>Show</source>
@@ -1438,39 +1470,43 @@
    <translation>{1} の &lt;b&gt;{0}&lt;/b&gt;</translation>
   </message>
   <message>
-   <source>No hole, slot or cylinder: it has no size to set.</source>
-   <translation>穴でも長穴でも円筒でもなく、設定できる寸法がありません。</translation>
+   <source>Relations: {0}</source>
+   <translation>関係: {0}</translation>
   </message>
   <message>
-   <source>Tick the form features it is related to, or choose no relation.</source>
-   <translation>関係する形状要素をチェックするか、関係なしを選んでください。</translation>
+   <source>Not a hole, slot or cylinder: it has no size to set.</source>
+   <translation>穴でも長穴でも円筒でもないため、設定できる大きさがありません。</translation>
   </message>
   <message>
-   <source>A pair has two form features; tick one.</source>
-   <translation>対は二つの形状要素です。一つをチェックしてください。</translation>
+   <source>Tick the related form features, or choose “No new relation”.</source>
+   <translation>関係する形状特徴をチェックするか、「新しい関係なし」を選んでください。</translation>
+  </message>
+  <message>
+   <source>A pair has two form features: tick one other.</source>
+   <translation>組は二つの形状特徴からなります。もう一つをチェックしてください。</translation>
   </message>
   <message>
    <source>all kinds</source>
    <translation>すべての種類</translation>
   </message>
   <message>
-   <source>{0} of {1} chosen</source>
-   <translation>{1} 件中 {0} 件を選択</translation>
+   <source>{0} of {1} checked</source>
+   <translation>{1} 件中 {0} 件をチェック</translation>
   </message>
   <message>
-   <source>{0} of {1} chosen, {2} in the document already</source>
-   <translation>{1} 件中 {0} 件を選択、{2} 件は文書に既存</translation>
+   <source>{0} of {1} checked, {2} already in the document</source>
+   <translation>{1} 件中 {0} 件をチェック、{2} 件はドキュメントに既存</translation>
   </message>
   <message>
-   <source>{0} not certain (?): point at them to read why</source>
-   <translation>{0} 件は不確か（?）: 指すと理由が読めます</translation>
+   <source>{0} uncertain (?): point at a row to read why</source>
+   <translation>{0} 件は不確か(?): 行を指すと理由が読めます</translation>
   </message>
   <message>
-   <source>Nothing is checked; check proposals, or cancel.</source>
+   <source>Nothing is checked. Check proposals, or cancel.</source>
    <translation>何もチェックされていません。提案をチェックするか、キャンセルしてください。</translation>
   </message>
   <message>
-   <source>of the selected parts only</source>
+   <source>selected parts only</source>
    <translation>選択した部品のみ</translation>
   </message>
   <message>
@@ -1482,40 +1518,44 @@
    <translation>計算 {0:.1f} ms、描画 {1:.1f} ms</translation>
   </message>
   <message>
-   <source>Will not follow, no contact leads there: {0}</source>
-   <translation>接触でつながらないため追従しません: {0}</translation>
+   <source>These parts will not follow, because no contact reaches them: {0}</source>
+   <translation>次の部品は接触でつながっていないため追従しません: {0}</translation>
   </message>
   <message>
-   <source>Linear preview: steel follows when you rest. {0}</source>
-   <translation>線形プレビュー: 手を止めると鋼の解が続きます。{0}</translation>
+   <source>Linear preview; the steel shape is computed on a pause. {0}</source>
+   <translation>線形プレビュー。手を止めると鋼板の形状を計算します。{0}</translation>
   </message>
   <message>
-   <source>Linear preview, the exact shape follows ({0})</source>
-   <translation>線形プレビュー、正確な形状が続きます ({0})</translation>
+   <source>Computing the exact shape</source>
+   <translation>正確な形状を計算中</translation>
   </message>
   <message>
    <source>Nothing has moved yet.</source>
    <translation>まだ何も動いていません。</translation>
   </message>
   <message>
-   <source>{0} contacts open too far, see Propagation; the first:</source>
-   <translation>{0} 個の接触が開きすぎています。「伝播」を参照。最初の接触:</translation>
+   <source>{0} contacts open or close too far (see Propagation). The first:</source>
+   <translation>{0} 個の接触の隙間が変わりすぎています(「伝播」を参照)。最初の接触:</translation>
+  </message>
+  <message>
+   <source>Computing steel shape (step {0})</source>
+   <translation>鋼板の形状を計算中 (ステップ {0})</translation>
   </message>
   <message>
    <source>Preview: refined on release. {0}</source>
-   <translation>プレビュー: 離すと精密な形状になります。{0}</translation>
+   <translation>プレビュー: 離すと精密な形状を計算します。{0}</translation>
   </message>
   <message>
-   <source>Steel, final. {0}</source>
-   <translation>鋼、最終結果。{0}</translation>
+   <source>Final steel shape. {0}</source>
+   <translation>鋼板の最終形状。{0}</translation>
   </message>
   <message>
    <source>At rest</source>
-   <translation>静止</translation>
+   <translation>初期状態</translation>
   </message>
   <message>
-   <source>As it was before; move the slider to blend again.</source>
-   <translation>以前の状態です。スライダーを動かすと再びブレンドします。</translation>
+   <source>Back in the previous shape. Move the slider to blend again.</source>
+   <translation>以前の形状に戻りました。スライダーを動かすと再びブレンドします。</translation>
   </message>
   <message>
    <source>Largest and mean distance, mm</source>
@@ -1523,27 +1563,27 @@
   </message>
   <message>
    <source>Choose a pose.</source>
-   <translation>ポーズを選んでください。</translation>
+   <translation>姿勢を選んでください。</translation>
   </message>
   <message>
    <source>and {0} more parts</source>
    <translation>ほか {0} 部品</translation>
   </message>
   <message>
-   <source>Make a part of each of its {} pieces</source>
-   <translation>つながっていない{}個の部分をそれぞれ部品にする</translation>
+   <source>Split into its {} pieces</source>
+   <translation>つながっていない {} 個の部分に分割</translation>
   </message>
   <message>
-   <source>Weld within how much? Type a length, for example 0.01 mm.</source>
-   <translation>どの距離以内を結合しますか。長さを入力してください。例: 0.01 mm</translation>
+   <source>Enter a distance for merging vertices, such as 0.01 mm.</source>
+   <translation>頂点を統合する距離を入力してください(例: 0.01 mm)。</translation>
   </message>
   <message>
-   <source>Nothing is chosen; choose a cure, or cancel.</source>
-   <translation>何も選ばれていません。対処を選ぶか、キャンセルしてください。</translation>
+   <source>Nothing is chosen. Choose a repair, or cancel.</source>
+   <translation>何も選ばれていません。修復を選ぶか、キャンセルしてください。</translation>
   </message>
   <message>
-   <source>Choose a cure first.</source>
-   <translation>先に対処を選んでください。</translation>
+   <source>Choose a repair first.</source>
+   <translation>先に修復を選んでください。</translation>
   </message>
   <message>
    <source>The parts follow in the background…</source>
@@ -1554,8 +1594,24 @@
    <translation>先に固定領域とハンドルを指定してください。</translation>
   </message>
   <message>
-   <source>How much the gap between both sides has changed, at most</source>
-   <translation>両側のすき間が最大でどれだけ変わったか</translation>
+   <source>No contact reaches these parts, so they stay at rest: mark a contact with a part above.</source>
+   <translation>接触でつながっていないため、これらの部品は動きません。上の部品との接触を指定してください。</translation>
+  </message>
+  <message>
+   <source>Contacts that transfer no motion: switched off, not reached, or not needed.</source>
+   <translation>動きを伝えない接触: オフ、未到達、または不要。</translation>
+  </message>
+  <message>
+   <source>Largest change of the gap between both sides</source>
+   <translation>両側の隙間の最大の変化</translation>
+  </message>
+  <message>
+   <source>Not reached</source>
+   <translation>未到達</translation>
+  </message>
+  <message>
+   <source>Contacts not in use</source>
+   <translation>使われていない接触</translation>
   </message>
   <message>
    <source>primary</source>
@@ -1567,35 +1623,43 @@
   </message>
   <message>
    <source>not in use</source>
-   <translation>使われていません</translation>
+   <translation>不使用</translation>
   </message>
   <message>
-   <source>level {0}</source>
-   <translation>段 {0}</translation>
+   <source>from {0}</source>
+   <translation>{0} から</translation>
   </message>
   <message>
-   <source>Change a value to see how far it may go.</source>
-   <translation>値を変えると、どこまで行けるかを示します。</translation>
+   <source>step {0}</source>
+   <translation>ステップ {0}</translation>
   </message>
   <message>
-   <source>a triangle turns over</source>
-   <translation>三角形が裏返ります</translation>
+   <source>Change one value to see its admissible range.</source>
+   <translation>値を一つ変えると、その許容範囲を示します。</translation>
   </message>
   <message>
-   <source>The angle</source>
+   <source>Searching the admissible range…</source>
+   <translation>許容範囲を探しています…</translation>
+  </message>
+  <message>
+   <source>{0}; beyond this, triangles flip</source>
+   <translation>{0}、これを超えると三角形が裏返ります</translation>
+  </message>
+  <message>
+   <source>Angle</source>
    <translation>角度</translation>
   </message>
   <message>
    <source>{0}: {1} to {2}{3}</source>
-   <translation>{0}：{1} ～ {2}{3}</translation>
+   <translation>{0}: {1} ～ {2}{3}</translation>
   </message>
   <message>
-   <source>{0}; beyond: {1}</source>
-   <translation>{0}；その先：{1}</translation>
+   <source>{0}; beyond this: {1}</source>
+   <translation>{0}、これを超えると: {1}</translation>
   </message>
   <message>
-   <source>{0}, as far as was looked</source>
-   <translation>{0}（調べた範囲）</translation>
+   <source>{0}: at least {1} to {2}{3}</source>
+   <translation>{0}: 少なくとも {1} ～ {2}{3}</translation>
   </message>
   <message>
    <source>Elements: aspect</source>
@@ -1630,36 +1694,36 @@
    <translation>要素: 最短辺</translation>
   </message>
   <message>
-   <source>; {0} of {1} elements beyond {2:g}</source>
-   <translation>；{1} 要素中 {0} が {2:g} を超過</translation>
+   <source>; {0} of {1} elements beyond the limit of {2:g}</source>
+   <translation>、{1} 要素中 {0} 要素が限界 {2:g} を超過</translation>
   </message>
   <message>
    <source>No variants yet.</source>
-   <translation>まだ変種がありません。</translation>
+   <translation>まだバリアントがありません。</translation>
   </message>
   <message>
    <source>Folder for the Variants</source>
-   <translation>変種のフォルダ</translation>
+   <translation>バリアントのフォルダー</translation>
   </message>
   <message>
-   <source>{0}. A double click takes the morph there.</source>
-   <translation>{0}。ダブルクリックでモーフがその形になります。</translation>
+   <source>{0}. Double-click a row to apply the variant.</source>
+   <translation>{0}。行をダブルクリックすると、そのバリアントを適用します。</translation>
   </message>
   <message>
-   <source>Wait for the variants, or stop them.</source>
-   <translation>変種を待つか、中止してください。</translation>
+   <source>Variants are still being computed. Wait, or stop them.</source>
+   <translation>バリアントを計算中です。待つか、停止してください。</translation>
   </message>
   <message>
    <source>Stopped: the document has changed.</source>
-   <translation>中止しました：ドキュメントが変わりました。</translation>
+   <translation>停止しました: ドキュメントが変更されました。</translation>
   </message>
   <message>
    <source>Name</source>
    <translation>名前</translation>
   </message>
   <message>
-   <source>Changes</source>
-   <translation>変えるもの</translation>
+   <source>Number</source>
+   <translation>変数</translation>
   </message>
   <message>
    <source>From</source>
@@ -1668,6 +1732,14 @@
   <message>
    <source>To</source>
    <translation>まで</translation>
+  </message>
+  <message>
+   <source>smallest corner, °</source>
+   <translation>最小の角、°</translation>
+  </message>
+  <message>
+   <source>stretch, %</source>
+   <translation>伸び、%</translation>
   </message>
   <message>
    <source>passed</source>
@@ -1694,12 +1766,72 @@
    <translation>状態</translation>
   </message>
   <message>
-   <source>“{0}” of “{1}” is no number.</source>
-   <translation>「{1}」の「{0}」は数ではありません。</translation>
+   <source>“{0}” for “{1}” is not a number.</source>
+   <translation>「{1}」の値「{0}」は数値ではありません。</translation>
   </message>
   <message>
-   <source>'{0}' is no thin solid: {1}.</source>
+   <source>Median thickness &lt;b&gt;{0}&lt;/b&gt;, from {1} to {2}</source>
+   <translation>板厚の中央値 &lt;b&gt;{0}&lt;/b&gt;、{1} ～ {2}</translation>
+  </message>
+  <message>
+   <source>Holes through both skins: {0}</source>
+   <translation>両面を貫く穴: {0} 個</translation>
+  </message>
+  <message>
+   <source>Thick regions (stay rigid): {0}</source>
+   <translation>厚い領域(剛体のまま): {0} 個</translation>
+  </message>
+  <message>
+   <source>{0} walls and thick regions: no thickness</source>
+   <translation>{0} 側面と厚い領域: 板厚なし</translation>
+  </message>
+  <message>
+   <source>'{0}' is not a thin solid: {1}.</source>
    <translation>「{0}」は薄肉ソリッドではありません: {1}。</translation>
+  </message>
+  <message>
+   <source>worst aspect</source>
+   <translation>最悪のアスペクト比</translation>
+  </message>
+  <message>
+   <source>worst warpage</source>
+   <translation>最大のそり</translation>
+  </message>
+  <message>
+   <source>worst skew</source>
+   <translation>最大のスキュー</translation>
+  </message>
+  <message>
+   <source>worst taper</source>
+   <translation>最大のテーパー</translation>
+  </message>
+  <message>
+   <source>worst Jacobian</source>
+   <translation>最悪のヤコビアン</translation>
+  </message>
+  <message>
+   <source>smallest corner</source>
+   <translation>最小の角</translation>
+  </message>
+  <message>
+   <source>largest corner</source>
+   <translation>最大の角</translation>
+  </message>
+  <message>
+   <source>shortest edge</source>
+   <translation>最短の辺</translation>
+  </message>
+  <message>
+   <source>largest displacement</source>
+   <translation>最大の変位</translation>
+  </message>
+  <message>
+   <source>largest stretch</source>
+   <translation>最大の伸び</translation>
+  </message>
+  <message>
+   <source>largest change</source>
+   <translation>最大の変化</translation>
   </message>
  </context>
  <context>
@@ -1710,15 +1842,15 @@
   </message>
   <message>
    <source>Paint with the left button. The wheel changes the size, Ctrl+wheel zooms. Ctrl+paint removes.</source>
-   <translation>左ボタンでなぞります。ホイールで大きさ、Ctrl+ホイールで拡大縮小。Ctrl+なぞるで除去。</translation>
+   <translation>左ボタンでなぞります。ホイールで大きさ、Ctrl+ホイールで拡大縮小。Ctrl+なぞりで除去。</translation>
   </message>
   <message>
    <source>Drag from corner to corner. Shift adds, Ctrl removes.</source>
    <translation>角から角へドラッグします。Shiftで追加、Ctrlで除去。</translation>
   </message>
   <message>
-   <source>Draw around it with the left button held. Shift adds, Ctrl removes.</source>
-   <translation>左ボタンを押したまま囲みます。Shiftで追加、Ctrlで除去。</translation>
+   <source>Hold the left button and draw an outline. Shift adds, Ctrl removes.</source>
+   <translation>左ボタンを押したまま輪郭を描きます。Shift で追加、Ctrl で除去。</translation>
   </message>
   <message>
    <source>Vertex</source>
@@ -1749,7 +1881,7 @@
    <translation>穴の縁</translation>
   </message>
   <message>
-   <source>Picks the rim of a hole by one click near it</source>
+   <source>Picks the rim of a hole with one click near it</source>
    <translation>近くを一度クリックして穴の縁を選びます</translation>
   </message>
   <message>
@@ -1765,7 +1897,7 @@
    <translation>ブラシ</translation>
   </message>
   <message>
-   <source>Picks what you paint over; the wheel changes the size of the brush</source>
+   <source>Picks everything that you paint over; the wheel changes the size of the brush</source>
    <translation>なぞった所を選びます。ホイールでブラシの大きさを変えます</translation>
   </message>
   <message>
@@ -1773,56 +1905,56 @@
    <translation>長方形</translation>
   </message>
   <message>
-   <source>Picks what lies in a rectangle that you draw</source>
-   <translation>描いた長方形の中を選びます</translation>
+   <source>Picks everything inside a rectangle that you draw</source>
+   <translation>描いた長方形の中をすべて選びます</translation>
   </message>
   <message>
    <source>Lasso</source>
    <translation>投げ縄</translation>
   </message>
   <message>
-   <source>Picks what lies in a closed figure that you draw</source>
-   <translation>描いた閉じた図形の中を選びます</translation>
+   <source>Picks everything inside an outline that you draw</source>
+   <translation>描いた輪郭の中をすべて選びます</translation>
   </message>
   <message>
    <source>New</source>
-   <translation>新規</translation>
+   <translation>置き換え</translation>
   </message>
   <message>
-   <source>A pick starts anew; the brush goes on</source>
-   <translation>選択を新しく始めます。ブラシは続けて選びます</translation>
+   <source>Replaces the selection (the brush adds)</source>
+   <translation>選択を置き換えます(ブラシは追加します)</translation>
   </message>
   <message>
    <source>Add</source>
    <translation>追加</translation>
   </message>
   <message>
-   <source>A pick adds, as with Shift</source>
-   <translation>Shiftと同じく、選択に加えます</translation>
+   <source>Adds to the selection, as with Shift</source>
+   <translation>Shift と同じく、選択に追加します</translation>
   </message>
   <message>
    <source>Remove</source>
    <translation>除去</translation>
   </message>
   <message>
-   <source>A pick removes, as with Ctrl</source>
-   <translation>Ctrlと同じく、選択から除きます</translation>
+   <source>Removes from the selection, as with Ctrl</source>
+   <translation>Ctrl と同じく、選択から除きます</translation>
   </message>
   <message>
    <source>Crease angle</source>
    <translation>折れ角</translation>
   </message>
   <message>
-   <source>A face and a rim end where the surface turns by more than this</source>
-   <translation>面と縁は、表面がこれより大きく折れる所で終わります</translation>
+   <source>A face or a rim ends where the surface bends by more than this angle</source>
+   <translation>面や縁は、表面がこの角度より大きく折れる所で終わります</translation>
   </message>
   <message>
    <source>Rings around hole</source>
    <translation>穴の周りの輪</translation>
   </message>
   <message>
-   <source>Takes so many rings of vertices around the rim as well</source>
-   <translation>縁の周りの頂点の輪もこの数だけ選びます</translation>
+   <source>Number of vertex rings around the rim that are picked with it</source>
+   <translation>縁とともに選ぶ、周りの頂点の輪の数</translation>
   </message>
   <message>
    <source>Brush radius</source>
@@ -1841,8 +1973,8 @@
    <translation>透過して選択</translation>
   </message>
   <message>
-   <source>Picks through parts and facets that hide others, as if all were made of glass</source>
-   <translation>すべてが透明であるかのように、隠している部品や三角形を通して選びます</translation>
+   <source>Also picks vertices that other parts or facets hide</source>
+   <translation>他の部品や面に隠れた頂点も選びます</translation>
   </message>
   <message>
    <source>Grow</source>
@@ -1865,15 +1997,15 @@
    <translation>反転</translation>
   </message>
   <message>
-   <source>Picks what is not picked, and nothing else</source>
-   <translation>選ばれていない所だけを選びます</translation>
+   <source>Picks the vertices that are not picked now, and releases the others</source>
+   <translation>選択されている頂点と選択されていない頂点を入れ替えます</translation>
   </message>
   <message>
    <source>Undo Pick</source>
    <translation>選択を戻す</translation>
   </message>
   <message>
-   <source>Takes back the last pick</source>
+   <source>Undoes the last pick</source>
    <translation>最後の選択を取り消します</translation>
   </message>
   <message>
@@ -1881,8 +2013,8 @@
    <translation>クリア</translation>
   </message>
   <message>
-   <source>Picks nothing</source>
-   <translation>何も選ばない状態にします</translation>
+   <source>Clears the selection</source>
+   <translation>選択を解除します</translation>
   </message>
   <message>
    <source>All Holes</source>
@@ -1897,11 +2029,11 @@
   <name>SheetMorph_pose</name>
   <message>
    <source>Blend Poses</source>
-   <translation>姿勢を混ぜる</translation>
+   <translation>姿勢をブレンド</translation>
   </message>
   <message>
    <source>From</source>
-   <translation>最小</translation>
+   <translation>始め</translation>
   </message>
   <message>
    <source>The pose at 0 %</source>
@@ -1916,12 +2048,12 @@
    <translation>100 % の姿勢</translation>
   </message>
   <message>
-   <source>How far the morph is on the way from one pose to the other</source>
-   <translation>一方の姿勢から他方への進み具合</translation>
+   <source>Position of the morph between the two poses</source>
+   <translation>二つの姿勢の間でのモーフの位置</translation>
   </message>
   <message>
-   <source>The same as a number; beyond 0 and 100 % the motion goes on</source>
-   <translation>同じ値を数で。0 % と 100 % の外でも動きは続きます</translation>
+   <source>The same as a number; values below 0 or above 100 % extrapolate the motion</source>
+   <translation>同じ値を数値で指定します。0 % 未満や 100 % 超では動きを延長します</translation>
   </message>
  </context>
  <context>
@@ -1939,8 +2071,8 @@
    <translation>結果の更新</translation>
   </message>
   <message>
-   <source>When the result objects follow a motion: the 3D view always does at once. Automatically: at once if that takes less than 50 ms, else on a pause</source>
-   <translation>結果オブジェクトが動きにいつ追従するか。3Dビューは常にすぐ追従します。自動: 50 ms未満ならすぐ、それ以外は止まったとき</translation>
+   <source>When the result objects are updated; the 3D view always updates at once. Automatically: at once if this takes less than 50 ms, otherwise on a pause</source>
+   <translation>結果オブジェクトを更新するタイミング。3D ビューは常にすぐ更新されます。自動: 50 ms 未満ならすぐ、それ以外は止まったとき</translation>
   </message>
   <message>
    <source>Automatically</source>
@@ -1959,7 +2091,7 @@
    <translation>OKのとき</translation>
   </message>
   <message>
-   <source>Shows arrows to drag when the Move Handle panel opens</source>
+   <source>Shows arrows for dragging when the Move Handle panel opens</source>
    <translation>「ハンドルを動かす」を開いたとき、ドラッグ用の矢印を表示します</translation>
   </message>
   <message>
@@ -1967,28 +2099,28 @@
    <translation>ビューに矢印と円弧を表示</translation>
   </message>
   <message>
-   <source>Motions by the mouse go in steps</source>
-   <translation>マウスの動きを刻みに合わせます</translation>
+   <source>Moves in steps while you drag with the mouse</source>
+   <translation>マウスでドラッグするとき、刻みに合わせて動かします</translation>
   </message>
   <message>
    <source>Snap to steps</source>
    <translation>刻みに合わせる</translation>
   </message>
   <message>
-   <source>Step of a length</source>
+   <source>Length step</source>
    <translation>長さの刻み</translation>
   </message>
   <message>
-   <source>Motions by the mouse are multiples of this length when they snap</source>
-   <translation>刻みに合わせるとき、マウスの動きはこの長さの倍数になります</translation>
+   <source>Translations by the mouse snap to multiples of this length</source>
+   <translation>マウスによる移動をこの長さの倍数に合わせます</translation>
   </message>
   <message>
-   <source>Step of an angle</source>
+   <source>Angle step</source>
    <translation>角度の刻み</translation>
   </message>
   <message>
-   <source>Turns by the mouse are multiples of this angle when they snap</source>
-   <translation>刻みに合わせるとき、マウスの回転はこの角度の倍数になります</translation>
+   <source>Rotations by the mouse snap to multiples of this angle</source>
+   <translation>マウスによる回転をこの角度の倍数に合わせます</translation>
   </message>
   <message>
    <source>Picking</source>
@@ -1999,20 +2131,20 @@
    <translation>折れ角</translation>
   </message>
   <message>
-   <source>A face ends at edges where the sheet turns by more than this angle</source>
-   <translation>板がこの角度より大きく折れる稜で面は終わります</translation>
+   <source>A face ends where the sheet bends by more than this angle</source>
+   <translation>板がこの角度より大きく折れる所で面は終わります</translation>
   </message>
   <message>
    <source>Rings around hole</source>
    <translation>穴の周りの輪</translation>
   </message>
   <message>
-   <source>How many rings of vertices around the rim of a hole belong to it</source>
-   <translation>穴の縁の周りの頂点の輪をいくつ穴に含めるか</translation>
+   <source>Number of vertex rings around the rim that belong to a hole</source>
+   <translation>穴に含める、縁の周りの頂点の輪の数</translation>
   </message>
   <message>
-   <source>Size of brush</source>
-   <translation>ブラシの大きさ</translation>
+   <source>Brush radius</source>
+   <translation>ブラシの半径</translation>
   </message>
   <message>
    <source>Radius of the brush on the screen</source>
@@ -2063,7 +2195,7 @@
    <translation>接触の一つ目の側</translation>
   </message>
   <message>
-   <source>First side of contacts is drawn in this colour</source>
+   <source>The first side of contacts is drawn in this colour</source>
    <translation>接触の一つ目の側をこの色で描きます</translation>
   </message>
   <message>
@@ -2071,7 +2203,7 @@
    <translation>接触の二つ目の側</translation>
   </message>
   <message>
-   <source>Second side of contacts is drawn in this colour</source>
+   <source>The second side of contacts is drawn in this colour</source>
    <translation>接触の二つ目の側をこの色で描きます</translation>
   </message>
  </context>
@@ -2086,47 +2218,47 @@
    <translation>プレビュー</translation>
   </message>
   <message>
-   <source>What is found</source>
-   <translation>見つかったこと</translation>
+   <source>Findings</source>
+   <translation>診断結果</translation>
   </message>
   <message>
-   <source>Cures</source>
-   <translation>対処</translation>
+   <source>Repairs</source>
+   <translation>修復</translation>
   </message>
   <message>
-   <source>Coordinates are in</source>
+   <source>Unit of coordinates</source>
    <translation>座標の単位</translation>
   </message>
   <message>
-   <source>Scales the mesh from another unit to mm</source>
-   <translation>メッシュを他の単位から mm に変換します</translation>
+   <source>Converts the coordinates from this unit to mm</source>
+   <translation>座標をこの単位から mm に変換します</translation>
   </message>
   <message>
    <source>The unit of the file</source>
    <translation>ファイルの単位</translation>
   </message>
   <message>
-   <source>Weld vertices within</source>
-   <translation>頂点を結合する距離</translation>
+   <source>Merge vertices within</source>
+   <translation>頂点を統合する距離</translation>
   </message>
   <message>
-   <source>Closes cuts and T-junctions, removes doubled facets, turns facets that face the wrong way</source>
-   <translation>切れ目と T 字接合を閉じ、重複した面を除き、裏返った面を直します</translation>
+   <source>Closes cuts and T-junctions, removes duplicate facets and reorients facets that face the wrong way</source>
+   <translation>切れ目と T 字接合を閉じ、重複した面を除き、裏返った面の向きを直します</translation>
   </message>
   <message>
-   <source>Vertices nearer than this become one</source>
-   <translation>これより近い頂点は一つになります</translation>
+   <source>Vertices closer than this are merged</source>
+   <translation>これより近い頂点を一つに統合します</translation>
   </message>
   <message>
-   <source>Mesh anew with edges of</source>
+   <source>Remesh with edges of</source>
    <translation>再メッシュの辺の長さ</translation>
   </message>
   <message>
-   <source>Well-shaped triangles on the facets as they are: flats stay exact, shorter edges at holes and bends</source>
-   <translation>元の面の上に形の良い三角形を作ります。平面は正確なまま、穴と曲げでは辺が短くなります</translation>
+   <source>Creates well-shaped triangles on the present facets. Flat faces stay exact; edges are shorter at holes and bends</source>
+   <translation>現在の面の上に形の良い三角形を作ります。平面は正確に保たれ、穴と曲げでは辺が短くなります</translation>
   </message>
   <message>
-   <source>Length of the edges on flats</source>
+   <source>Edge length on flat faces</source>
    <translation>平面での辺の長さ</translation>
   </message>
   <message>
@@ -2134,15 +2266,15 @@
    <translation>丸い縁</translation>
   </message>
   <message>
-   <source>What becomes of the rims of round holes</source>
-   <translation>丸穴の縁の扱い</translation>
+   <source>How the rims of round holes are remeshed</source>
+   <translation>丸穴の縁の再メッシュの方法</translation>
   </message>
   <message>
-   <source>keep their polygon</source>
+   <source>keep polygon</source>
    <translation>多角形のまま</translation>
   </message>
   <message>
-   <source>go to their circle</source>
+   <source>fit to circle</source>
    <translation>円に合わせる</translation>
   </message>
   <message>
@@ -2150,20 +2282,20 @@
    <translation>一枚の板として曲げる（薄肉ソリッド）</translation>
   </message>
   <message>
-   <source>Both skins and the walls follow one sheet and keep their distance, if it is recognised as a thin solid</source>
-   <translation>薄肉ソリッドと認識されれば、両面と壁は一枚の板に従い、間隔を保ちます</translation>
+   <source>Both skins follow one sheet and keep their distance, if the part is recognised as a thin solid</source>
+   <translation>薄肉ソリッドと認識された場合、両面が一枚の板に従い、間隔を保ちます</translation>
   </message>
   <message>
-   <source>Make a part of each of its pieces</source>
-   <translation>つながっていない部分をそれぞれ部品にする</translation>
+   <source>Split into pieces</source>
+   <translation>つながっていない部分に分割</translation>
   </message>
   <message>
-   <source>What nothing connects becomes a part of its own, so that contacts can join it to the others; only while nothing is marked on it</source>
-   <translation>つながっていない部分はそれぞれ独立した部品になり、接触で他と結合できます。何も指定されていない間だけ可能です</translation>
+   <source>Turns each unconnected piece into a part of its own, so that contacts can join them. Possible while nothing is marked on the part</source>
+   <translation>つながっていない部分をそれぞれ独立した部品にし、接触でつなげるようにします。部品に何も指定されていない間だけ可能です</translation>
   </message>
   <message>
-   <source>Shows the new mesh in place of the part; nothing changes</source>
-   <translation>部品の代わりに新しいメッシュを表示します。何も変わりません</translation>
+   <source>Shows the new mesh in the 3D view without changing the part</source>
+   <translation>部品を変えずに、新しいメッシュを 3D ビューに表示します</translation>
   </message>
  </context>
  <context>
@@ -2173,8 +2305,8 @@
    <translation>伝播</translation>
   </message>
   <message>
-   <source>Local: from part to part along contacts. Single: one control mesh around everything</source>
-   <translation>局所: 接触に沿って部品から部品へ。単一: 全体を囲む一つの制御メッシュ</translation>
+   <source>Local: from part to part along contacts. Single: one control mesh around everything. Whole: all parts in one solve</source>
+   <translation>局所: 接触に沿って部品から部品へ。単一: 全体を囲む一つの制御メッシュ。全体: すべての部品を一度に解く</translation>
   </message>
   <message>
    <source>Local: from contact to contact</source>
@@ -2189,44 +2321,44 @@
    <translation>全体: すべての部品を一度に解く</translation>
   </message>
   <message>
-   <source>Levels</source>
-   <translation>細分の段数</translation>
+   <source>Subdivision</source>
+   <translation>細分</translation>
   </message>
   <message>
-   <source>How often control meshes are subdivided: more follows finer bends and takes longer (3 is right for most sheets)</source>
-   <translation>制御メッシュの細分の回数。多いほど細かい曲がりに追従し、時間がかかります(ほとんどの板では3が適切)</translation>
+   <source>Number of subdivisions of the control meshes. More follow finer bends but take longer; 3 suits most sheets</source>
+   <translation>制御メッシュの細分の回数。多いほど細かい曲がりに追従しますが、時間がかかります。ほとんどの板では 3 が適切です</translation>
   </message>
   <message>
    <source>Smoothness</source>
    <translation>滑らかさ</translation>
   </message>
   <message>
-   <source>How smooth control meshes stay: small follows the source closely, large evens out its details</source>
-   <translation>制御メッシュの滑らかさ。小さいと元に忠実に従い、大きいと細部をならします</translation>
+   <source>Smoothness of the control meshes. Small values follow the driving part closely, large values even out its details</source>
+   <translation>制御メッシュの滑らかさ。小さい値は駆動側の部品に忠実に従い、大きい値は細部をならします</translation>
   </message>
   <message>
    <source>Loose pieces</source>
    <translation>離れた部分</translation>
   </message>
   <message>
-   <source>What becomes of pieces of a part that nothing holds, while others of it move</source>
-   <translation>他の部分が動くとき、何にも保持されない部分をどうするか</translation>
+   <source>How unconstrained pieces of a part behave while others move. Stay: at rest, with a warning. Move along: with the nearest constrained piece. Error: the morph fails</source>
+   <translation>他の部分が動くときの、拘束されていない部分の扱い。静止: 警告を出して動かない。追従: 最も近い拘束された部分に従う。エラー: モーフは失敗する</translation>
   </message>
   <message>
-   <source>stay at rest, with a warning</source>
-   <translation>静止したまま (警告)</translation>
+   <source>stay</source>
+   <translation>静止</translation>
   </message>
   <message>
-   <source>go along with what is nearest</source>
-   <translation>最も近い部分に従う</translation>
+   <source>move along</source>
+   <translation>追従</translation>
   </message>
   <message>
-   <source>are an error</source>
-   <translation>エラーにする</translation>
+   <source>error</source>
+   <translation>エラー</translation>
   </message>
   <message>
-   <source>A click shows parts and contacts in the 3D view</source>
-   <translation>クリックすると部品と接触を3Dビューに示します</translation>
+   <source>Click a row to show the part or contact in the 3D view</source>
+   <translation>行をクリックすると、部品や接触を 3D ビューに表示します</translation>
   </message>
   <message>
    <source>Part, contact</source>
@@ -2245,8 +2377,8 @@
    <translation>制御メッシュを表示</translation>
   </message>
   <message>
-   <source>Shows the control mesh of the chosen contact, else all of them, as wires</source>
-   <translation>選択した接触の、なければすべての制御メッシュを線で示します</translation>
+   <source>Shows the control mesh of the selected contact, or all control meshes, as wireframes</source>
+   <translation>選択した接触の制御メッシュ、選択がなければすべての制御メッシュをワイヤーフレームで表示します</translation>
   </message>
   <message>
    <source>Part</source>
@@ -2257,8 +2389,8 @@
    <translation>モード</translation>
   </message>
   <message>
-   <source>How the part follows; the primary is deformed by its handles</source>
-   <translation>部品がどう追従するか。主部品は自分のハンドルで変形します</translation>
+   <source>How the part follows. The handles deform the primary part</source>
+   <translation>部品が追従する方法。主部品はハンドルで変形します</translation>
   </message>
   <message>
    <source>Set as Primary</source>
@@ -2274,15 +2406,15 @@
   </message>
   <message>
    <source>How one side follows the other</source>
-   <translation>一方の側が他方にどう追従するか</translation>
+   <translation>一方の側が他方に追従する方法</translation>
   </message>
   <message>
    <source>In use</source>
-   <translation>使用する</translation>
+   <translation>使用中</translation>
   </message>
   <message>
-   <source>Off: the contact is kept but moves nothing, as if the weld were open</source>
-   <translation>オフ: 接触は残りますが、溶接が外れたように何も動かしません</translation>
+   <source>Off: the contact stays in the document but transfers no motion</source>
+   <translation>オフ: 接触はドキュメントに残りますが、動きを伝えません</translation>
   </message>
  </context>
  <context>
@@ -2308,12 +2440,12 @@
    <translation>まだ何も選択されていません</translation>
   </message>
   <message>
-   <source>What {0} has already is left out: a vertex has one of them.</source>
-   <translation>{0} にある頂点は除かれます。1つの頂点は1つにだけ属します。</translation>
+   <source>Skipped vertices that already belong to {0}.</source>
+   <translation>すでに {0} に属する頂点を除外しました。</translation>
   </message>
   <message>
    <source>Picked: {0}, 1 piece</source>
-   <translation>選択: {0}、かたまり 1 個</translation>
+   <translation>選択: {0}、1 か所</translation>
   </message>
   <message>
    <source>Nothing is picked: click on the part first.</source>
@@ -2321,7 +2453,7 @@
   </message>
   <message>
    <source>Picked: {0}, {1} pieces</source>
-   <translation>選択: {0}、かたまり {1} 個</translation>
+   <translation>選択: {0}、{1} か所</translation>
   </message>
   <message>
    <source>On {0}</source>
@@ -2344,15 +2476,23 @@
    <translation>何も選択されていません</translation>
   </message>
   <message>
-   <source>or type a selector: {"face_at": [x, y, z]}</source>
-   <translation>またはセレクターを入力: {"face_at": [x, y, z]}</translation>
+   <source>Advanced</source>
+   <translation>詳細</translation>
   </message>
   <message>
-   <source>What is picked, in the words of a recipe and the coordinates of the part's file; type another selector and press Enter</source>
-   <translation>選択されているものを、レシピの言葉と部品ファイルの座標で示します。別のセレクターを入力して Enter を押してください</translation>
+   <source>Shows the selector of the picked vertices</source>
+   <translation>選択した頂点のセレクターを表示します</translation>
   </message>
   <message>
-   <source>Each hole is a feature of its own</source>
+   <source>Selector, such as {"face_at": [x, y, z]}</source>
+   <translation>セレクター (例: {"face_at": [x, y, z]})</translation>
+  </message>
+  <message>
+   <source>Selector of the picked vertices, as in a recipe, in the coordinates of the part's file. Type another one and press Enter</source>
+   <translation>選択した頂点のセレクター(レシピと同じ書式、部品ファイルの座標)。別のセレクターを入力して Enter を押してください</translation>
+  </message>
+  <message>
+   <source>Each hole is a separate feature</source>
    <translation>穴ごとに別の形状特徴</translation>
   </message>
   <message>
@@ -2371,23 +2511,23 @@
    <translation>パラメータ</translation>
   </message>
   <message>
-   <source>What changes between which numbers; a double click edits a name or a number</source>
-   <translation>何がどの数の間で変わるか。ダブルクリックで名前や数を編集します</translation>
+   <source>Parameters and their ranges. Double-click a name or a number to edit it</source>
+   <translation>パラメータとその範囲。名前や数値をダブルクリックして編集します</translation>
   </message>
   <message>
-   <source>Motions of handles, sizes of form features, and cells of the spreadsheets that drive them</source>
-   <translation>ハンドルの動き、形状要素の寸法、それらを動かすスプレッドシートのセル</translation>
+   <source>Handle motions, form feature sizes, and the spreadsheet cells that drive them</source>
+   <translation>ハンドルの動き、形状特徴の大きさ、それらを動かすスプレッドシートのセル</translation>
   </message>
   <message>
-   <source>Lets the study change this number</source>
-   <translation>この数をスタディで変えます</translation>
+   <source>Adds this number as a parameter</source>
+   <translation>この数値をパラメータに追加します</translation>
   </message>
   <message>
    <source>Add</source>
    <translation>追加</translation>
   </message>
   <message>
-   <source>Takes the selected parameters out</source>
+   <source>Removes the selected parameters</source>
    <translation>選んだパラメータを外します</translation>
   </message>
   <message>
@@ -2396,15 +2536,15 @@
   </message>
   <message>
    <source>Variants</source>
-   <translation>変種</translation>
+   <translation>バリアント</translation>
   </message>
   <message>
    <source>Sampling</source>
-   <translation>標本化</translation>
+   <translation>サンプリング</translation>
   </message>
   <message>
-   <source>How values are chosen: three ways that fill the ranges evenly, or a grid of all combinations</source>
-   <translation>値の選び方：範囲を一様に満たす三つの方法、または全組み合わせの格子</translation>
+   <source>How the values are sampled: three methods that fill the ranges evenly, or a grid of all combinations</source>
+   <translation>値の選び方: 範囲を一様に満たす三つの方法、またはすべての組み合わせの格子</translation>
   </message>
   <message>
    <source>Latin hypercube</source>
@@ -2427,24 +2567,24 @@
    <translation>数</translation>
   </message>
   <message>
-   <source>How many variants; of a full grid at most so many</source>
-   <translation>変種の数。全格子では最大数</translation>
+   <source>Number of variants; for a full grid, the largest number</source>
+   <translation>バリアントの数。全格子では上限</translation>
   </message>
   <message>
    <source>Seed</source>
    <translation>シード</translation>
   </message>
   <message>
-   <source>Another number gives other values</source>
-   <translation>別の数にすると別の値になります</translation>
+   <source>Another seed gives other values</source>
+   <translation>シードを変えると値も変わります</translation>
   </message>
   <message>
    <source>Criteria</source>
    <translation>基準</translation>
   </message>
   <message>
-   <source>What every variant must keep, commas between: stretch, angle, gap change, edge error, displacement, touching and more, or a parameter. That no triangle turns over is always asked for</source>
-   <translation>各変種が守ること（コンマ区切り）：stretch, angle, gap change, edge error, displacement, touching など、またはパラメータ。三角形が裏返らないことは常に求めます</translation>
+   <source>Criteria for every variant, separated by commas: stretch, angle, gap change, edge error, displacement, touching and others, or a parameter. Flipped triangles always fail</source>
+   <translation>各バリアントの基準(コンマ区切り): stretch, angle, gap change, edge error, displacement, touching など、またはパラメータ。裏返った三角形は常に不合格です</translation>
   </message>
   <message>
    <source>such as stretch &lt;= 0.2, angle &gt;= 12</source>
@@ -2452,11 +2592,11 @@
   </message>
   <message>
    <source>Folder</source>
-   <translation>フォルダ</translation>
+   <translation>フォルダー</translation>
   </message>
   <message>
-   <source>Where recipe, study and the files of every variant are kept; a run that was stopped goes on there. Empty: only the table is kept</source>
-   <translation>レシピ、スタディ、各変種のファイルを置く場所。中止した計算はそこから続きます。空なら表だけを残します</translation>
+   <source>Folder for the recipe, the study and the files of every variant. A stopped run continues there. Empty: only the table is kept</source>
+   <translation>レシピ、スタディ、各バリアントのファイルを置くフォルダー。停止した計算はそこから続きます。空の場合は表だけを残します</translation>
   </message>
   <message>
    <source>keep only the table</source>
@@ -2464,31 +2604,31 @@
   </message>
   <message>
    <source>Chooses a folder</source>
-   <translation>フォルダを選びます</translation>
+   <translation>フォルダーを選びます</translation>
   </message>
   <message>
-   <source>Computes the variants in processes of their own; FreeCAD stays free</source>
-   <translation>変種を別プロセスで計算します。FreeCAD はそのまま使えます</translation>
+   <source>Computes the variants in separate processes; you can go on working in FreeCAD</source>
+   <translation>バリアントを別プロセスで計算します。FreeCAD での作業は続けられます</translation>
   </message>
   <message>
    <source>Run</source>
    <translation>実行</translation>
   </message>
   <message>
-   <source>Stops; what is done becomes the table</source>
-   <translation>止めます。終わった分が表になります</translation>
+   <source>Stops the run; the finished variants stay in the table</source>
+   <translation>計算を停止します。終わったバリアントは表に残ります</translation>
   </message>
   <message>
    <source>Stop</source>
-   <translation>中止</translation>
+   <translation>停止</translation>
   </message>
   <message>
-   <source>Variants that are done</source>
-   <translation>終わった変種</translation>
+   <source>Finished variants</source>
+   <translation>終わったバリアント</translation>
   </message>
   <message>
-   <source>One row for each variant; point at its state to read why it did not pass. A double click takes the morph there</source>
-   <translation>変種ごとに一行。状態を指すと不合格の理由が読めます。ダブルクリックでモーフがその形になります</translation>
+   <source>One row per variant. Point at a state to read why the variant did not pass. Double-click a row to apply the variant</source>
+   <translation>バリアントごとに一行。状態を指すと不合格の理由が読めます。行をダブルクリックすると、そのバリアントを適用します</translation>
   </message>
  </context>
  <context>
@@ -2502,16 +2642,16 @@
    <translation>一枚の板として曲げる(薄肉ソリッド)</translation>
   </message>
   <message>
-   <source>Both skins and the walls follow one sheet and keep their distance; off: the closed surface bends as it is</source>
-   <translation>両面と側面が一枚の板に従い、間隔を保ちます。オフ: 閉じた表面がそのまま曲がります</translation>
+   <source>Both skins follow one sheet and keep their distance. Off: the closed surface bends as a surface</source>
+   <translation>両面が一枚の板に従い、間隔を保ちます。オフ: 閉じた表面を面として曲げます</translation>
   </message>
   <message>
    <source>Mark Holes as Form Features</source>
    <translation>穴を形状特徴に指定</translation>
   </message>
   <message>
-   <source>Every hole through both skins becomes a form feature: it keeps its shape, wall included</source>
-   <translation>両面を貫く穴はすべて、側面も含めて形を保つ形状特徴になります</translation>
+   <source>Turns every hole through both skins into a form feature, which keeps its shape, wall included</source>
+   <translation>両面を貫くすべての穴を、側面も含めて形を保つ形状特徴にします</translation>
   </message>
  </context>
  <context>

@@ -323,7 +323,7 @@ def test_a_triangle_that_repeats_a_vertex_ends_no_door_in_a_loop(door):
     elif door == "self_intersections":
         assert _core.self_intersections(mesh).shape == (0, 2)
     else:
-        with pytest.raises(ValueError, match="one vertex at two corners: 1, 2; cure the mesh"):
+        with pytest.raises(ValueError, match="one vertex at two corners: 1, 2; repair the mesh"):
             _core.remeshed(mesh, 1.0)
 
 

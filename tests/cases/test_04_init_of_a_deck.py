@@ -33,7 +33,7 @@ def test_a_recipe_that_makes_a_mesh_of_a_deck_warns(case: Callable[[str], Path])
     changed = text.replace('"file": "strip.bdf"', '"file": "strip.bdf", "remesh": {"edge": 3}')
     (folder / "r.json").write_text(changed, "utf-8")
     ended = sheetmorph("run", "r.json", "-o", "out", folder=folder)
-    assert '"strip.bdf" is a deck, but OBJ is written' in ended.said
+    assert 'the deck "strip.bdf" is written as OBJ' in ended.said
     strict = sheetmorph("run", "r.json", "-o", "out2", "--strict", folder=folder)
     assert strict.status == 3
 
@@ -43,6 +43,6 @@ def test_flatten_and_init_name_the_unit_of_a_deck_in_metres(case: Callable[[str]
 
     folder = case("04")
     ended = sheetmorph("flatten", "rolled_in_metres.inp", folder=folder)
-    assert ended.status == 0 and "0.314 x 0.200 m," in ended.out and "seems to be in m" in ended.out
+    assert ended.status == 0 and "0.314 x 0.200 m," in ended.out and "seems to be m" in ended.out
     (told,) = diagnose_files([folder / "rolled_in_metres.inp"])["files"]
     assert set(told["part"]) <= {"name", "file", "split"}

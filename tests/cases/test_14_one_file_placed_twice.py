@@ -33,4 +33,4 @@ def test_names_that_no_file_can_have_are_told(case: Callable[[str], Path]) -> No
     recipe["parts"][1]["name"] = "left/b"
     (folder / "slash.json").write_text(json.dumps(recipe))
     done = sheetmorph("check", "slash.json", folder=folder)
-    assert done.status == 2 and "is used already" in done.err
+    assert done.status == 2 and "is already used" in done.err

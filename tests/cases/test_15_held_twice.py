@@ -17,7 +17,7 @@ def test_the_error_names_both_regions_and_the_vertex(
     done = sheetmorph(command, "held_twice.json", *more, folder=folder)
     assert done.status == 2
     assert "fixed region 'fixed0' and handle 'h' share 1 vertex (4)" in done.err
-    assert "moves by 20 mm; take it out" in done.err
+    assert "moves by 20 mm; remove it from" in done.err
     assert not (folder / "out").exists()
 
 

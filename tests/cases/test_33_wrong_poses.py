@@ -33,4 +33,4 @@ def test_no_wrong_value_below_poses_is_a_mistake_of_the_program(
     (folder / "wrong.json").write_text(json.dumps(recipe))
     done = sheetmorph("check", "wrong.json", folder=folder)
     assert done.status == (0 if value == {} else 2), done.said
-    assert "mistake of the program" not in done.err
+    assert "has a bug" not in done.err

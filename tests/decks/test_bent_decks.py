@@ -13,7 +13,7 @@ from bent_decks import CALCULIX, SHARED, all_decks, bent, with_stand_ins
 
 # What is refused, as people read it.
 REASONS = {
-    r"names nodes that are not there": "shells whose nodes are in other files",
+    r"names nodes that do not exist": "shells whose nodes are in other files",
     r"fewer than three nodes": "shells whose nodes are parameters",
     r"a deck of several models is not read": "several models in one deck",
     r"is defined twice, differently": "defined twice, differently",

@@ -134,7 +134,7 @@ def test_ok_of_move_handle_does_not_wait_for_the_shape():
         yield from until(shown_bar, "the bar")
         picture("answering-computed")
         assert np.array_equal(stored(), rest) and not is_final()
-        assert "Being computed" in assembly().Status
+        assert "Computing" in assembly().Status
         assert np.allclose(lifted(rest, drawn()), (0, 0, 20), atol=1e-3), "the view keeps it"
         yield from until(is_final, "the final shape")
         assert solves.count == 1
@@ -228,7 +228,7 @@ def test_a_document_under_steel_is_opened_again_and_is_final_in_its_panel():
     App.ActiveDocument.recompute()
     yield from open_panel()
     child("translation_z").setValue(18.0)
-    yield from until(lambda: "Steel, final" in child("status").text(), "the steel")
+    yield from until(lambda: "Final steel shape" in child("status").text(), "the steel")
     yield from press("OK")
     shape, path = stored(), os.path.join(WORK, "steel.FCStd")
     App.ActiveDocument.saveAs(path)
@@ -237,7 +237,7 @@ def test_a_document_under_steel_is_opened_again_and_is_final_in_its_panel():
     yield from settled()
     yield from open_panel()
     child("colours").setCurrentIndex(STRETCH)
-    yield from until(lambda: "Steel, final" in child("status").text(), "the steel")
+    yield from until(lambda: "Final steel shape" in child("status").text(), "the steel")
     assert largest(drawn() - shape) < 1e-3
     picture("answering-steel")
     yield from press("Cancel")

@@ -38,7 +38,7 @@ def test_a_contact_is_marked_by_a_click_on_each_part():
     wanted = api.touching_vertices(part(), bracket, child("distance").value())
     assert child("count_b").text() == f"{len(wanted[1])} vertices"
     yield from choose_below(child("type"), 2)
-    assert "stiff" in child("type_text").text()
+    assert "rigid body" in child("type_text").text()
     picture("contact")
     yield from press("OK")
     (contact,) = contacts()

@@ -72,7 +72,7 @@ def test_the_covers_from_stl_to_a_drag_with_what_is_offered_and_found():
     yield from mark_the_ends(steps)
     yield from steps.step("Move Handle", open_panel(), lambda: is_shown() and is_quiet())
     yield from steps.step("a drag", pull_arrow_up(), has_followed)
-    yield from steps.step("how far it may go", settled(), lambda: True)
+    yield from steps.step("admissible range", settled(), lambda: True)
     yield from steps.step("OK", press("OK", laid_out), is_closed)
     moved = {
         part.Label: float(np.abs(api.deform(assembly())[part.Name] - api.rest_mesh(part)[0]).max())

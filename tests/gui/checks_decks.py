@@ -113,7 +113,7 @@ def test_elements_have_colours_and_a_histogram_while_dragging():
     yield from until(lambda: "worst Jacobian" in legend_in_the_view(), "the legend")
     bars = child("histogram")
     yield from until(lambda: bars.isVisible() and bars.pixmap() is not None, "the histogram")
-    assert f"of {2 * QUADS} elements beyond 0.3" in child("scale_text").text()
+    assert f"of {2 * QUADS} elements beyond the limit of 0.3" in child("scale_text").text()
     yield from settled()
     picture("deck-quality")
     yield from xdotool("mouseup", 1)

@@ -141,7 +141,7 @@ def test_the_enclosure_from_step_to_a_saved_drag_is_measured():
     yield from mark_the_ends(steps)
     yield from steps.step("Move Handle", open_panel(), lambda: is_shown() and is_quiet())
     yield from steps.step("a drag", pull_arrow_up(), has_followed)
-    yield from steps.step("how far it may go", settled(), lambda: True)
+    yield from steps.step("admissible range", settled(), lambda: True)
     yield from steps.step(
         "OK", press("OK", laid_out), lambda: not Gui.Control.activeDialog() and is_quiet()
     )

@@ -134,7 +134,7 @@ def test_two_handles_on_one_vertex_are_shown_and_taken_apart():
     yield from until(lambda: "both move" in sentence(), "the sentence")
     assert report_view().count("both move") == 1, report_view()
     assert "Traceback" not in report_view(), report_view()
-    assert child("mend_fault").text() == "Take out of “Second”"
+    assert child("mend_fault").text() == "Remove from “Second”"
     before = part().ViewObject.RootNode.getNumChildren()
     yield from click_widget(child("show_fault"))
     assert part().ViewObject.RootNode.getNumChildren() > before
@@ -147,7 +147,7 @@ def test_two_handles_on_one_vertex_are_shown_and_taken_apart():
     yield from press("OK")
     assert set(api.vertices(first)).isdisjoint(api.vertices(second))
     names = App.ActiveDocument.UndoNames
-    assert names == ["Move Handle", "Take out of “Second”"], names
+    assert names == ["Move Handle", "Remove from “Second”"], names
     clear_report_view()
 
 
@@ -253,8 +253,8 @@ def test_a_recipe_keeps_the_meshes_that_it_reads():
         yield from menu("SheetMorph", "Export Parts…")
         yield from answer(str(folder))
         yield from until(lambda: "reads this file" in report_view(), "the refusal")
-    assert "did not write them as they are now" in asked[0], asked
-    assert 'the recipe "recipe.json" beside it reads this file' in report_view()
+    assert "did not write their current content" in asked[0], asked
+    assert 'the recipe "recipe.json" next to it reads this file' in report_view()
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == kept
     yield from menu("File", "Std_New")
     yield from menu("SheetMorph", "Import Recipe…")

@@ -19,7 +19,7 @@ __all__ = [
     "test_no_widget_moves_while_a_steel_sheet_is_computed",
 ]
 SAID = ("message", "staying", "status", "reach_text", "scale_text")
-WORDS = "Linear preview, the exact shape follows: step 7 of a thing that takes its time ".split()
+WORDS = "Computing steel shape: step 7 of a thing that takes its time ".split()
 
 FAULT = (
     "Hole 'A1' can be at most 25.1 mm: fixed region 'Base' holds the sheet around it. Take fewer "

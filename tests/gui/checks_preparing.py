@@ -147,7 +147,7 @@ def test_what_cad_exports_is_diagnosed_when_it_is_added_and_cured_with_a_yes():
     yield from choose_below(child("rims"), 1)
     yield from press("Preview")
     yield from until(is_previewed, "the preview")
-    assert "rims put on their circles" in child("message").text()
+    assert "rims fitted to their circles" in child("message").text()
     assert part().Source.Mesh.CountFacets == facets
     picture("prepare")
     yield from press("OK")
@@ -224,11 +224,11 @@ def test_a_mesh_in_metres_whose_facets_do_not_quite_meet_is_welded_and_scaled():
     assert child("scale").isChecked() and child("weld").isChecked()
     assert child("unit").currentText() == "m"
     found = child("findings").text()
-    assert "unit seems to be m" in found and "nearly the place" in found, found
+    assert "unit seems to be m" in found and "nearly the same place" in found, found
     assert child("tolerance").text() == "0.0002 mm", child("tolerance").text()
     yield from enter(child("tolerance"), "soon")
     yield from press("Preview")
-    assert "Weld within how much?" in child("message").text()
+    assert "Enter a distance for merging vertices" in child("message").text()
     yield from enter(child("tolerance"), "0.0002 mm")
     assert "2 mm thick" in found and child("edge").text().endswith("mm"), found
     picture("prepare-metres")

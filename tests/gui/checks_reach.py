@@ -38,19 +38,19 @@ def seen_in_marks() -> set[str]:
 def test_marks_show_how_far_a_value_may_go():
     yield from new_morph()
     yield from press_tool("Move Handle…")
-    assert not is_marked() and "Change a value" in child("reach_text").text()
+    assert not is_marked() and "Change one value" in child("reach_text").text()
     yield from enter(child("translation_x"), "-20 mm")
     yield from until(is_marked, "the marks of X")
     low, high = ends()
     assert low < -20.0 < 0.0 < high and child("reach_text").text().startswith("X")
-    assert "turns over" in child("reach_text").text()
+    assert "triangles flip" in child("reach_text").text()
     assert seen_in_marks() == {"#2e9e5b", "#d64545"}
     picture("reach")
     yield from enter(child("translation_x"), f"{low - 10.0:.3f} mm")
     assert ends() == (low, high), "the marks of the same value stay"
     picture("reach-beyond")
     yield from enter(child("angle"), "5")
-    yield from until(lambda: child("reach_text").text().startswith("The angle"), "other marks")
+    yield from until(lambda: child("reach_text").text().startswith("Angle"), "other marks")
     yield from press("Cancel")
     assert not Gui.Control.activeDialog()
 

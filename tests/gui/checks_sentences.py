@@ -233,6 +233,8 @@ def test_a_selector_is_typed_in_the_panel():
     yield from start_morph()
     yield from press_tool("Mark Fixed Region…")
     where = {"half_space": {"point": [10, 0, 0], "normal": [-1, 0, 0]}}
+    child("fold_advanced").setChecked(True)
+    yield from settled()
     field = child("where")
     field.setFocus()
     yield from xdotool("type", "--delay", 15, json.dumps({**where, "holes": 9}))

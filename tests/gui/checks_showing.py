@@ -273,12 +273,12 @@ def test_displacement_has_colours_with_a_scale():
     yield from enter(child("translation_z"), "18")
     yield from choose_below(child("colours"), 1)
     yield from until(child("scale").isVisible, "the scale")
-    assert child("scale_text").text() == "0 to 20; farthest 18 mm on sheet morphed"
+    assert child("scale_text").text() == "0–20 mm; largest displacement 18 mm on sheet morphed"
     seen = vertex_colours()
     moved, fixed = seen[handle_vertices()], seen[np.flatnonzero(stored()[:, 0] == 0.0)]
     assert np.ptp(moved, axis=0).max() < 0.01 and moved[0, 0] > 0.7  # yellow
     assert np.ptp(fixed, axis=0).max() < 0.01 and fixed[0, 2] > fixed[0, 1]  # blue
-    assert "farthest 18 mm" in legend_in_the_view()
+    assert "largest displacement 18 mm" in legend_in_the_view()
 
     def shows_values() -> bool:
         red, green, _ = colour_at((120.0, 8.0, 33.0))
@@ -297,8 +297,8 @@ def test_quality_and_gaps_have_colours_too():
     yield from open_panel()
     yield from enter(child("translation_z"), "25")
     yield from choose_below(child("colours"), 2)
-    yield from until(lambda: "sharpest corner" in child("scale_text").text(), "the quality")
-    assert child("scale_text").text().startswith("0 to 60; ")
+    yield from until(lambda: "smallest corner" in child("scale_text").text(), "the quality")
+    assert child("scale_text").text().startswith("0–60 °; ")
     yield from choose_below(child("colours"), 1)
     yield from until(lambda: "largest change" in child("scale_text").text(), "the gaps")
     picture("gaps")
@@ -321,12 +321,13 @@ def test_steel_is_a_preview_first_and_its_stretch_has_colours():
     App.ActiveDocument.recompute()
     yield from open_panel()
     yield from enter(child("translation_z"), "18")
-    yield from until(lambda: "Linear preview" in child("status").text(), "the preview")
-    yield from until(lambda: "Steel, final" in child("status").text(), "the steel")
+    previews = "Linear preview", "Computing steel shape"
+    yield from until(lambda: child("status").text().startswith(previews), "the preview")
+    yield from until(lambda: "Final steel shape" in child("status").text(), "the steel")
     yield from choose_below(child("colours"), 4)
     yield from until(lambda: "stretch" in child("scale_text").text(), "the stretch")
     assert ", near " in child("scale_text").text(), child("scale_text").text()
-    assert "Steel, final" in child("status").text(), child("status").text()
+    assert "Final steel shape" in child("status").text(), child("status").text()
     assert marks_of_places() > 0
     picture("stretch")
     yield from choose_below(child("colours"), -4)

@@ -63,7 +63,7 @@ def test_a_sheet_as_steel_is_dragged_and_laid_flat_as_the_guide_says():
     select(regions("handle")[0])
     yield from open_panel()
     yield from enter(child("translation_z"), "18")
-    yield from until(lambda: "Steel, final" in child("status").text(), "the steel")
+    yield from until(lambda: "Final steel shape" in child("status").text(), "the steel")
     yield from choose_below(child("colours"), 4)
     yield from until(lambda: "stretch" in child("scale_text").text(), "the stretch")
     picture("steel-stretch")

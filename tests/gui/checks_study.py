@@ -182,11 +182,11 @@ def test_what_is_wrong_with_a_study_is_told_in_its_panel():
     yield from new_study("4")
     yield from enter_cell("parameters", (0, 2), "40 mm")
     yield from press("Run")
-    assert "turn them round" in child("message").text()
+    assert "swap the two numbers" in child("message").text()
     yield from enter_cell("parameters", (0, 2), "0 mm")
     yield from enter(child("criteria"), "stretch = 3")
     yield from press("OK")
-    assert "no criterion" in child("message").text() and Gui.Control.activeDialog()
+    assert "not a criterion" in child("message").text() and Gui.Control.activeDialog()
     assert model.studies(assembly()) == []
     picture("study-fault")
     yield from click_cell("parameters", 0, 0)
@@ -194,7 +194,7 @@ def test_what_is_wrong_with_a_study_is_told_in_its_panel():
     yield from click_widget(child("criteria"))
     yield from xdotool("key", "ctrl+a", "Delete")
     yield from press("Run")
-    assert "add a parameter" in child("message").text()
+    assert "has no parameter yet" in child("message").text()
     yield from press("Cancel")
 
 

@@ -199,7 +199,7 @@ def test_the_sheet_as_steel():
     select(regions("handle")[0])
     yield from open_panel()
     yield from enter(child("translation_z"), "18")
-    yield from until(lambda: "Steel, final" in child("status").text(), "the steel")
+    yield from until(lambda: "Final steel shape" in child("status").text(), "the steel")
     yield from choose_below(child("colours"), 4)
     yield from until(lambda: "stretch" in child("scale_text").text(), "the stretch")
     yield from taken("stretch")

@@ -170,7 +170,7 @@ def test_faults_of_the_meshing_are_told_with_their_place(folder: Path):
 def test_two_sources_of_one_output_clash(folder: Path):
     recipe = recipe_of("plate.brep", name="a", mesh=SIZES)
     recipe["parts"].append({"file": "plate.igs", "name": "b", "mesh": SIZES})
-    with pytest.raises(RecipeError, match='"plate.obj" is used already'):
+    with pytest.raises(RecipeError, match='"plate.obj" is already used'):
         validate(recipe, folder)
 
 

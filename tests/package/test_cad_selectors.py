@@ -63,7 +63,7 @@ def test_a_number_that_moved_on_is_told(shape: PartShape):
     same = selected(shape, {"cad_face_at": [5, 5, 2], "number": told["number"]})
     assert same.remarks == []
     other = selected(shape, {"cad_face_at": [5, 5, 2], "number": told["number"] + 1, "name": "lid"})
-    assert "no face is called" in other.remarks[0] and "is elsewhere now" in other.remarks[1]
+    assert "no face is called" in other.remarks[0] and "has moved" in other.remarks[1]
     assert np.array_equal(other.inside, same.inside)
 
 

@@ -82,7 +82,7 @@ def test_a_worker_that_ends_while_it_reads_is_one_sentence(samples: Path, starte
     assert caught.value.what == (
         "the CAD worker ended unexpectedly while it read the file (killed)"
     )
-    assert "try it again" in caught.value.todo and "\n" not in str(caught.value)
+    assert "try again" in caught.value.todo and "\n" not in str(caught.value)
     assert len(read_part(samples / "plate.brep").mesh.triangles) > 100
 
 
@@ -254,7 +254,7 @@ def test_the_cad_files_of_a_recipe_are_read_at_once_and_a_bad_one_costs_nothing_
     files = ("plate.brep", "none.step", "openings.step")
     entries = [{"file": file, "name": file} for file in files]
     parts = read_parts(model_of({"parts": entries}).parts, samples)
-    assert [fault.what for fault in parts.faults] == ["there is no such file"]
+    assert [fault.what for fault in parts.faults] == ["the file does not exist"]
     assert len(started) == 2
     for source, file in zip(parts.sources, ("plate.brep", "openings.step")):
         alone = read_part(samples / file).mesh

@@ -230,7 +230,7 @@ def test_a_shape_that_is_nearly_valid_is_healed_and_told(folder: Path):
 def test_a_shape_that_is_not_valid_is_refused_with_face_and_reason(folder: Path):
     recipe = with_a_vertex_off(folder, 0.5)
     with pytest.raises(
-        CertificateError, match=r"no valid shape before .*face \d+: .*vertex is off"
+        CertificateError, match=r"not a valid shape before .*face \d+: .*vertex is off"
     ):
         run(recipe, folder / "out")
     assert not (folder / "out").exists()
@@ -267,7 +267,7 @@ def test_ctrl_c_while_a_shape_is_carried_leaves_no_file(folder: Path):
     assert process.stdout.readline() == "carrying\n"
     process.send_signal(signal.SIGINT)
     _, error = process.communicate(timeout=60)
-    assert (process.returncode, error) == (130, "interrupted; no part was written\n")
+    assert (process.returncode, error) == (130, "interrupted: no part was written\n")
     assert set(folder.iterdir()) == before
 
 
@@ -288,7 +288,7 @@ def test_a_mesh_that_folds_is_refused(folder: Path):
     [
         ({"write": "dxf"}, "CAD format"),
         ({"write": "step", "write_tolerance": 0}, "a distance in mm"),
-        ({"write": "step", "remesh": {"edge": 2.0}}, "has another mesh"),
+        ({"write": "step", "remesh": {"edge": 2.0}}, "another mesh than that"),
     ],
 )
 def test_what_cannot_be_written_is_told(folder: Path, part: dict, text: str):
@@ -301,7 +301,7 @@ def test_a_mesh_is_no_shape(folder: Path):
     recipe = json.loads((folder / "recipe.json").read_text())
     recipe["parts"] = [{"name": "plate", "file": "mesh/plate.obj", "write": "step"}]
     (folder / "recipe.json").write_text(json.dumps(recipe), "utf-8")
-    with pytest.raises(RecipeError, match="is no CAD file"):
+    with pytest.raises(RecipeError, match="is not a CAD file"):
         run(folder / "recipe.json", folder / "out")
     del recipe["parts"][0]["write"]
     (folder / "recipe.json").write_text(json.dumps(recipe), "utf-8")

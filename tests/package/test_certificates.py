@@ -149,7 +149,7 @@ def test_a_file_that_was_changed_afterwards_fails(folder: Path, capsys):
     written.write_text(text.replace(line, moved))
     command = ["certify", str(folder / "recipe.json"), str(folder / "out")]
     assert main([*command, "--json", str(folder / "c.json"), "--page", str(folder / "c.html")]) == 3
-    assert "hole on plate lost its form by" in capsys.readouterr().err
+    assert "hole on plate lost its shape by" in capsys.readouterr().err
     found = json.loads((folder / "c.json").read_text())
     assert not found["passed"] and "hole on plate" in found["failures"][0]
     assert found["features"][0]["rims"][0]["roundness_after"] > 0.1
@@ -172,7 +172,7 @@ def test_elements_that_newly_fail_are_counted(folder: Path):
 def test_what_is_not_there_or_another_deck_is_told(folder: Path, capsys):
     command = ["certify", str(folder / "recipe.json"), str(folder / "nothing")]
     assert main(command) == 2
-    assert "there is no such file; name the folder that a run" in capsys.readouterr().err
+    assert "the file does not exist; name the folder that a run" in capsys.readouterr().err
     (folder / "nothing").mkdir()
     (folder / "nothing" / "plate.k").write_text(plate().replace(f"{80:8d}", f"{99:8d}"))
     assert main(command) == 2
@@ -182,13 +182,13 @@ def test_what_is_not_there_or_another_deck_is_told(folder: Path, capsys):
 @pytest.mark.parametrize(
     ("text", "what"),
     [
-        ("[1]", "criteria are an object"),
+        ("[1]", "criteria must be an object"),
         ('{"elements": {"beauty": {"max": 1}}}', 'no measure "beauty"'),
         ('{"elements": {"skew": {"most": 1}}}', '"skew" needs numbers'),
         ('{"set": "none"}', 'no set "none"'),
         ('{"limits": {}}', 'unknown key "limits"'),
         ('{"time_step": {"target_ms": "fast"}}', "no number"),
-        ("{", "it is no JSON"),
+        ("{", "it is not JSON"),
     ],
 )
 def test_criteria_that_make_no_sense_are_refused(text: str, what: str, tmp_path: Path):

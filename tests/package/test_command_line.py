@@ -43,7 +43,7 @@ def test_run_writes_parts_and_report(folder: Path, capsys):
     assert status == 0
     assert os.listdir(folder / "out") == ["plate.obj"]
     assert json.loads((folder / "report.json").read_text())["certificate"]["passed"] is True
-    assert "1 part written, 3 form features rigid" in capsys.readouterr().out
+    assert "1 part written; 3 form features rigid" in capsys.readouterr().out
 
 
 def test_check_says_valid_and_writes_nothing(folder: Path, capsys):
@@ -65,10 +65,10 @@ def test_a_pose_file_replaces_the_pose(folder: Path):
 BAD_RUNS = [
     ({"margin": 1}, [], "margin: not available in this version"),
     ({"fixed": [{"part": "plate", "vertices": [10**6]}]}, [], "fixed[0].vertices"),
-    ({"parts": [{"name": "plate", "file": "lid.obj"}]}, [], "there is no such file"),
-    ({"handles": [], "pose": {}, "fixed": []}, [], "nothing is fixed and nothing is moved"),
+    ({"parts": [{"name": "plate", "file": "lid.obj"}]}, [], "the file does not exist"),
+    ({"handles": [], "pose": {}, "fixed": []}, [], "there is no fixed region and no handle"),
     ({}, ["--pose", "missing.json"], "missing.json: cannot be read"),
-    ({}, ["-o", "."], "would be written over a source file"),
+    ({}, ["-o", "."], "would overwrite the source file"),
     ({}, ["-o", "plate.obj"], "plate.obj is not a folder"),
     ({}, ["--report", "out/plate.obj"], "is the file of a part"),
     ({}, ["--report", "no/such/folder/report.json"], "its folder does not exist"),
@@ -91,7 +91,7 @@ def test_bad_input_exits_with_2_and_writes_nothing(bad: tuple, folder: Path, cap
     ("text", "message"),
     [
         ("{", "recipe.json, line 1, column 2: not JSON"),
-        ('{"sheetmorph": 1, "sheetmorph": 1}', 'the key "sheetmorph" stands twice'),
+        ('{"sheetmorph": 1, "sheetmorph": 1}', 'the key "sheetmorph" appears twice'),
         ('{"sheetmorph": 1, "parts": [NaN]}', "not a number (NaN)"),
         ("[" * 100000, "not JSON"),
         ("", "not JSON"),
@@ -138,7 +138,7 @@ def test_what_only_the_kernel_can_find_is_bad_input_too(folder: Path, capsys):
     change(folder, features=shared)
     assert main(["run", "recipe.json", "-o", "out"]) == 2
     error = capsys.readouterr().err
-    assert "part 'plate'" in error and "torn between" in error
+    assert "part 'plate'" in error and "touches both" in error
     assert error.count("\n") == 1
     assert not (folder / "out").exists()
 
@@ -158,7 +158,8 @@ def test_a_part_that_is_not_solved_to_its_end_exits_with_3_and_is_named(
 ):
     solve = Session.deform
     text = (
-        "the positions of the sheet have not settled after 90 rounds (the last still changed 3 mm)"
+        "the positions of the sheet did not converge in 90 iterations (the last one still "
+        "changed 3 mm)"
     )
 
     def give_up(self: Session, *arguments: Any, **options: Any) -> Result:
@@ -229,7 +230,7 @@ def copied_package(folder: Path, kernel: str | None) -> str:
     [
         (None, "cannot be loaded"),
         ("raise ImportError('undefined symbol')", "cannot be loaded (undefined symbol)"),
-        ("KERNEL_API = 0", "has interface 0, this package needs 1"),
+        ("KERNEL_API = 0", "has interface 0, but this package needs 1"),
     ],
 )
 def test_a_missing_or_broken_kernel_is_one_sentence(kernel, reason: str, folder: Path, tmp_path):
@@ -266,5 +267,5 @@ def test_an_interrupt_while_writing_leaves_nothing(number: int, folder: Path):
     process.send_signal(number)
     _, error = process.communicate(timeout=30)
     assert process.returncode == 130
-    assert error == "interrupted; no part was written\n"
+    assert error == "interrupted: no part was written\n"
     assert tree(folder) == before

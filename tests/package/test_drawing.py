@@ -156,4 +156,4 @@ class _Other:
 def test_pivy_is_used_where_the_compiled_module_is_for_another_coin(monkeypatch):
     monkeypatch.setitem(sys.modules, "sheetmorph._coin", _Other)
     assert drawing.drawer() is drawing.ThroughPivy
-    assert "it is for SIM Coin 3.1.3, FreeCAD draws with" in drawing.report()
+    assert "it is built for SIM Coin 3.1.3, but FreeCAD draws with" in drawing.report()

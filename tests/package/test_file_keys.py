@@ -128,7 +128,7 @@ def test_a_diagnosis_of_a_mesh_has_the_part_without_a_file():
         ("part.3mf", "convert it to PLY or STL"),
         ("part.unv", "meshio convert"),
         ("parts.zip", "unpack it first"),
-        ("part.dxf", "make a solid or a sheet of it"),
+        ("part.dxf", "make a solid or a sheet from it"),
         ("part.3mf.gz", "convert it to PLY or STL"),
     ],
 )

@@ -77,7 +77,7 @@ def test_options_choose_kinds_and_sizes(capsys):
 
 def test_what_is_wrong_is_said_in_one_line(capsys):
     for arguments, words in (
-        (["nothing.obj"], "no such file"),
+        (["nothing.obj"], "the file does not exist"),
         ([str(MIRROR[0]), "--rings", "99"], "rings is 99"),
         ([str(MIRROR[0]), "--kind", "whole"], 'no kind "whole"'),
         ([str(MIRROR[0]), "--split", "property"], "only decks have properties"),

@@ -142,7 +142,7 @@ def test_a_dome_cannot_be_laid_flat(tmp_path, capsys):
     height = 60.0 - np.sqrt(60.0**2 - ((points - centre) ** 2).sum(axis=1))
     dome = written(tmp_path / "dome.obj", np.column_stack([points, height]), triangles)
     assert main(["flatten", str(dome), "-o", str(tmp_path / "dome"), "--quiet"]) == 3
-    assert "cannot be laid flat within 1 %" in capsys.readouterr().err
+    assert "cannot be flattened within 1 %" in capsys.readouterr().err
     assert not (tmp_path / "dome").exists()
     assert main(["flatten", str(dome), "--limit", "20", "--quiet"]) == 0
 

@@ -76,7 +76,7 @@ def test_a_failure_is_told_at_the_step_it_belongs_to():
 
 def test_an_edited_body_is_told_until_its_part_follows():
     edited = replace(READY, edited=("Body", "cover"))
-    assert text(edited, "parts") == "“Body” was edited: Follow Shape lets “cover” follow."
+    assert text(edited, "parts") == "“Body” was edited: use Follow Shape to update “cover”."
     assert states(edited)["parts"] == guide.OPTIONAL
     assert [key for key, state in states(edited).items() if state == guide.NEXT] == ["drag"]
     assert states(replace(edited, edited=("", "")))["parts"] == guide.DONE

@@ -144,7 +144,10 @@ def test_what_no_sheet_is_near_stays_and_is_told(folder: Path):
     (told,) = report["joint_files"]
     assert told["left"] == ["2", "3"] and told["moved"] == 1
     text = " ".join(report["notes"])
-    assert 'no part of this recipe is called "77"' in text and "2 joints stay" in text
+    assert (
+        'no part of this recipe is called "77"' in text
+        and "2 joints have no sheet within reach" in text
+    )
     written = (folder / "out" / "points.csv").read_text().splitlines()
     assert written[2:] == table.splitlines()[2:]
     report = run(recipe(folder, {"file": "points.csv", "reach": 120}), folder / "out")
@@ -160,14 +163,14 @@ FAULTS = {
     "f.xml": (b'<!DOCTYPE xmcf [<!ENTITY a "b">]><xmcf/>', "it declares entities"),
     "g.xml": (b"<xmcf>" + b"<a>" * 300, "200 deep"),
     "h.xml": (XMCF.replace(b' y="0.0"', b""), "<normal_direction> has no y"),
-    "a.vip": (b"SPOT,1,2\n", "no line that begins with WSPOT"),
+    "a.vip": (b"SPOT,1,2\n", "no line begins with WSPOT"),
     "b.vip": (b"WSPOT,1,2,3\n", "three coordinates"),
     "a.csv": (b"1,2,3\n", "does not name columns x, y and z"),
     "b.csv": (b"x,y,z\n1,2\n", "2 columns, the first line has 3"),
     "c.csv": (b"x,y,z\n1,2,1e999\n", '"1e999" is not a number'),
     "d.csv": (b"\n", "it is empty"),
     "e.csv": (b"x [mm],y [m],z [mm]\n", "columns in m, mm"),
-    "a.txt": (b"", "it is no file of welds and bolts"),
+    "a.txt": (b"", "it is not a joint file"),
 }
 
 
@@ -183,7 +186,7 @@ def test_what_is_wrong_is_said_in_words(tmp_path: Path, name: str):
 def test_recipes_with_faults_in_their_joint_files(folder: Path):
     with pytest.raises(RecipeError, match=r"joint_files\[0\].*there is no such|cannot be read"):
         run(recipe(folder, {"file": "none.csv"}), folder / "out")
-    with pytest.raises(RecipeError, match="spots.vip.* is used already"):
+    with pytest.raises(RecipeError, match="spots.vip.* is already used"):
         run(recipe(folder, {"file": "spots.vip"}, {"file": "spots.vip"}), folder / "out")
     with pytest.raises(RecipeError, match='unknown key "reech"; did you mean "reach"'):
         run(recipe(folder, {"file": "spots.vip", "reech": 1}), folder / "out")

@@ -103,7 +103,7 @@ MISTAKES = [
     ("a.nas", replaced(NASTRAN, b"1.50    1.+0", b"1.50    one "), 8, '"one" is not a number'),
     ("a.nas", replaced(NASTRAN, b"GRID    30 ", b"GRID    10 "), 8, "node 10 is defined twice"),
     ("a.nas", replaced(NASTRAN, b"CTRIA3  2       1       10      40      50",
-                       b"CTRIA3  2       1       10      40      51"), 14, "are not there: 51"),
+                       b"CTRIA3  2       1       10      40      51"), 14, "do not exist: 51"),
     ("a.nas", replaced(NASTRAN, b"20      0  ", b"20      3  "), 7, "no coordinate system 3"),
     ("a.nas", replaced(NASTRAN, b"CTRIA3  2       1       10", b"CTRIA3  2       1       1O"),
      14, '"1O" in field 4 is not a whole number'),

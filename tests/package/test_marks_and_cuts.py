@@ -75,7 +75,7 @@ def test_a_mark_at_the_start_changes_nothing_and_one_further_on_is_refused_with_
     plain = read(path, data)
     marked = read(path, MARK + data)
     assert is_same(marked, plain) and marked.missing == plain.missing
-    for foreign, what in ((MARK, "a byte order mark"), (b"\0", "a byte that is 0")):
+    for foreign, what in ((MARK, "a byte order mark"), (b"\0", "a zero byte")):
         begin = data.index(b"\n", len(data) // 2) + 1
         path.write_bytes(data[:begin] + foreign + data[begin:])
         with pytest.raises(FileError, match=what) as caught:

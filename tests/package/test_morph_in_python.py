@@ -69,7 +69,7 @@ def test_a_notebook_gets_a_picture_or_the_reason_why_not(morph: sm.Morph):
 
 
 def test_mistakes_are_sentences(morph: sm.Morph, tmp_path: Path):
-    with pytest.raises(sm.RecipeError, match="there is no such file"):
+    with pytest.raises(sm.RecipeError, match="the file does not exist"):
         sm.open(tmp_path / "none.obj")
     with pytest.raises(sm.RecipeError, match="selects nothing"):
         morph.fix(sm.box([90, 0, 0], [91, 1, 1])).deform()
@@ -77,7 +77,7 @@ def test_mistakes_are_sentences(morph: sm.Morph, tmp_path: Path):
     two = sm.open(tmp_path / "strip.obj", tmp_path / "other.obj")
     with pytest.raises(sm.RecipeError, match="there are several parts"):
         two.fix(sm.everything())
-    with pytest.raises(sm.RecipeError, match="found by themselves"):
+    with pytest.raises(sm.RecipeError, match="found automatically"):
         two.find().feature(sm.everything(), part="strip")
     with pytest.raises(ValueError, match="either rings or a length"):
         sm.grow(sm.everything())

@@ -109,7 +109,7 @@ def test_a_random_command_with_its_output_aimed_at_any_input_changes_none(
         filled = [word.format(target, folder=draw.choice([".", "run/.."])) for word in command]
         status = main(filled)
         said = capsys.readouterr()
-        assert "mistake of the program" not in said.err, (filled, said.err)
+        assert "has a bug" not in said.err, (filled, said.err)
         now = contents(folder)
         assert {name: now.get(name) for name in before} == before, (filled, status)
         for name in now.keys() - before.keys():
@@ -123,7 +123,7 @@ def test_what_a_command_wrote_it_writes_again_until_somebody_changes_it(folder: 
     assert main(["run", recipe, *ways, "--pose", "high"]) == 0
     (out / "plate.obj").write_text("v 0 0 0\n")
     assert main(["run", recipe, *ways]) == 2
-    assert "plate.obj: it is there already, and SheetMorph did not write it" in (
+    assert "plate.obj: it already exists, and SheetMorph did not write its" in (
         capsys.readouterr().err
     )
     assert (out / "plate.obj").read_text() == "v 0 0 0\n"

@@ -82,11 +82,11 @@ def test_positions_that_are_not_finite_are_refused(sample: Path, tmp_path: Path)
 @pytest.mark.parametrize(
     ("name", "what"),
     [
-        ("part.step", "there is no such file"),
+        ("part.step", "the file does not exist"),
         ("part.fcstd", 'unknown format ".fcstd", a document of FreeCAD'),
         ("part.SLDPRT.gz", 'unknown format ".SLDPRT", a file of a CAD program'),
         ("part.what", 'unknown format ".what"'),
-        ("missing.obj", "there is no such file"),
+        ("missing.obj", "the file does not exist"),
         (".", "it is a folder"),
     ],
 )

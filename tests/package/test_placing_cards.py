@@ -50,7 +50,7 @@ def test_it_is_copied_and_not_morphed(name: str, tmp_path: Path, capsys):
     (tmp_path / name).write_bytes(data)
     (tmp_path / "sub.k").write_bytes(b"*KEYWORD\n" + SHELL + b"*END\n")
     assert main(["copy", str(tmp_path / name), "-o", str(tmp_path / "out")]) == 0
-    assert "it cannot be morphed" in capsys.readouterr().out
+    assert "the deck cannot be deformed" in capsys.readouterr().out
     assert (tmp_path / "out" / name).read_bytes() == data
     with pytest.raises(FileError, match=f"{card} .*: the deck can be copied") as told:
         read_part(tmp_path / name)

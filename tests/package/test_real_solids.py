@@ -123,11 +123,11 @@ def test_what_else_comes_from_cad_bends_once_cured(name: str, components: int, s
         (part,) = report["parts"]
         rest = _core.TriangleMesh(piece.points, piece.triangles)
         if len(_core.self_intersections(rest)) > 0:
-            assert any("as it was drawn" in note for note in report["notes"])
+            assert any("at rest" in note for note in report["notes"])
             continue
         assert part["quality"]["flipped"] == 0
         if part["thin"] is None:
-            assert any("recognised as none" in note for note in report["notes"])
+            assert any("not recognised as a thin solid" in note for note in report["notes"])
         else:
             thin.append(part["thin"]["thickness"])
             assert part["thin"]["self_intersections"]["deformed"] == 0

@@ -85,14 +85,14 @@ def test_a_sheet_that_is_folded_over_and_one_that_passes_through_itself():
     result = Session(ends(mesh), {"sheet": mesh}).deform()
     x = mesh.points[:, 0]
     beyond = x > 10
-    for height, word in ((0.1 * (x - 10), "over onto"), (0.3 * (15.2 - x), "through itself")):
+    for height, word in ((0.1 * (x - 10), "over onto"), (0.3 * (15.2 - x), "penetrates itself")):
         places = mesh.points.copy()
         places[beyond, 0] = 20.3 - x[beyond]
         places[beyond, 2] = height[beyond]
         (told,) = replace(result, positions={"sheet": places}).warnings()
         assert f"{word} " in told and '"sheet"' in told and "turn it less" in told
         assert ("8 triangles" in told) == (word == "over onto") and " at (" in told
-        assert ("pairs of triangles" in told) == (word == "through itself")
+        assert ("pairs of triangles" in told) == (word == "penetrates itself")
 
 
 def test_crushed_triangles_are_those_that_lose_their_height():

@@ -148,15 +148,15 @@ def test_a_placement_turns_the_part_and_not_what_its_selector_says():
         ({"group": "flange"}, "no names at all"),
         ({"cad_face_at": [0, 0, 0]}, "no CAD faces"),
         ({"found": "round hol"}, "use round hole"),
-        ({"found": "bead"}, "what is found there: "),
+        ({"found": "bead"}, "found there: "),
         ({"found": "round hole", "diameter": [1, 2]}, "those found have 8 mm"),
         ({"found": "round hole", "holes": 4}, "4 holes expected, 3 are selected"),
         ({"found": "round hole", "count": 4}, "4 matches expected"),
         ({"box": [[-10, -10, 0], [10, 10, 0]], "holes": 2}, "2 holes expected, 1 is selected"),
         ({"vertices": [0, 99999]}, "99999 are not in part"),
-        ({}, "does not say what it selects"),
-        ({"face_at": [0, 0, 0], "rim_at": [0, 0, 0]}, "stand in one selector"),
-        ({"rim_at": [0, 0, 0], "near": [0, 0, 0]}, '"near" says nothing to "rim_at"'),
+        ({}, "has no key that selects anything"),
+        ({"face_at": [0, 0, 0], "rim_at": [0, 0, 0]}, "one selector has both"),
+        ({"rim_at": [0, 0, 0], "near": [0, 0, 0]}, '"rim_at" does not use "near"'),
         ({"grow": 2}, 'add "of"'),
         ({"half_space": {"point": [0, 0, 0], "normal": [0, 0, 0]}}, "the normal has no length"),
     ],
@@ -180,7 +180,7 @@ def test_everything_far_matches_and_empty_operands_are_remarked():
     assert "mm from the point" in far.remarks[0]
     assert far.matches[0]["distance"] == pytest.approx(30.0)
     half = selected(shape, [{"rim_at": [24, 0, 0]}, {"box": [[90, 0, 0], [91, 1, 1]]}])
-    assert half.remarks == ['"box" in it selects nothing']
+    assert half.remarks == ['its part "box" selects nothing']
 
 
 @pytest.fixture

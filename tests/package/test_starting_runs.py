@@ -62,4 +62,4 @@ def test_a_recipe_in_toml_says_the_same_as_one_in_json(tmp_path: Path):
         wanted = ["init", str(tmp_path / 'a "b".obj'), "-o", str(tmp_path / name), "--quiet"]
         assert main(wanted) == 0
     assert read_json(tmp_path / "r.toml") == read_json(tmp_path / "r.json")
-    assert (tmp_path / "r.toml").read_text().startswith("# What is in the files")
+    assert (tmp_path / "r.toml").read_text().startswith("# `init` found this")

@@ -192,7 +192,7 @@ def test_samples_of_a_csv_are_taken_as_they_are(tmp_path: Path):
     rows = rows_of(out)
     assert [row["lift"] for row in rows] == ["1.5", "20.0"]
     assert [row["status"] for row in rows] == ["passed", "refused"]
-    assert rows[1]["why"] == "lift = 20 is outside of 0 to 10"
+    assert rows[1]["why"] == "lift = 20 is outside 0 to 10"
 
 
 def test_what_no_constraint_allows_is_refused_and_costs_nothing(tmp_path: Path):
@@ -220,7 +220,7 @@ def test_what_breaks_a_criterion_fails_and_has_no_parts(tmp_path: Path):
     )
     low, high = rows_of(out)
     assert (low["status"], high["status"]) == ("passed", "failed")
-    assert high["why"] == "z is 10, at most 5 is allowed"
+    assert high["why"] == "z is 10 (at most 5 allowed)"
     assert not (out / "000001" / "plate.obj").exists()
     proof = json.loads((out / "000001" / "certificate.json").read_text())
     assert proof["failures"] == [high["why"]]
@@ -327,7 +327,7 @@ def test_a_study_that_is_killed_goes_on_to_the_same_end(tmp_path: Path):
     ("keys", "said"),
     [
         ({"sampling": {"method": "sobol"}}, "the count is missing"),
-        ({"sampling": {"method": "csv"}}, "a CSV goes with the method csv"),
+        ({"sampling": {"method": "csv"}}, "a CSV file needs the method csv"),
         ({"sampling": {"method": "dice", "count": 3}}, '"dice" is not a way of sampling'),
         ({"parameters": {}}, "parameters: "),
         ({"recipe": "none.json"}, "cannot be read"),
@@ -337,17 +337,17 @@ def test_a_study_that_is_killed_goes_on_to_the_same_end(tmp_path: Path):
             'feature or point "tap"',
         ),
         ({"parameters": {"a": {"path": "features.slot.size", "range": [0, 1]}}}, 'no "slot"'),
-        ({"parameters": {"a": {"path": "pose..tip", "range": [0, 1]}}}, "is no path"),
+        ({"parameters": {"a": {"path": "pose..tip", "range": [0, 1]}}}, "is not a path"),
         ({"parameters": {"a": {"path": "pose.tip", "range": [0, 1]}}}, "no number"),
         ({"parameters": {"a": {"path": "energy", "range": [0, 1]}}}, "energy: "),
         ({"parameters": {"a": {"range": [1, 0]}}}, "the first number is larger"),
         ({"parameters": {"a": {}}}, "it has no range"),
         ({"parameters": {"status": {"range": [0, 1]}}}, "use another name"),
         ({"parameters": {"a": {"blend": "down", "range": [0, 1]}}}, 'no pose "down"'),
-        ({"constraints": ["lift <"]}, "is no formula"),
+        ({"constraints": ["lift <"]}, "is not a formula"),
         ({"constraints": ["lift + 1"]}, "compares nothing"),
-        ({"constraints": ["__import__('os') < 1"]}, "has what no formula has"),
-        ({"constraints": ["lift.real < 1"]}, "has what no formula has"),
+        ({"constraints": ["__import__('os') < 1"]}, "something that a formula cannot have"),
+        ({"constraints": ["lift.real < 1"]}, "something that a formula cannot have"),
         ({"constraints": ["height < 1"]}, 'an unknown name, "height"'),
         ({"measure": {"m": {}}}, "it measures nothing"),
         ({"measure": {"m": {"diameter": "slot"}}}, 'no form feature "slot"'),
@@ -371,7 +371,7 @@ def test_what_stands_in_the_folder_already_is_not_thrown_away(tmp_path: Path, ca
     (tmp_path / "out" / "000001" / "thesis.txt").write_text("years of work")
     path = write_study(tmp_path)
     assert main(["study", str(path), "-o", str(tmp_path / "out")]) == 2
-    assert "holds what this study did not write: thesis.txt" in capsys.readouterr().err
+    assert "contains files that this study did not write: thesis.txt" in capsys.readouterr().err
     assert (tmp_path / "out" / "000001" / "thesis.txt").read_text() == "years of work"
     assert main(["study", str(path), "-o", str(tmp_path)]) == 2
 

@@ -138,10 +138,10 @@ def test_what_cannot_be_computed_is_answered_as_a_failure(study: Path, tmp_path:
     ("text", "said"),
     [
         ("", "how many variables"),
-        ("nonsense\n", "is no line of a parameters file"),
-        (DAKOTA.replace("3 ASV_1:tip", "4 ASV_1:tip"), "second derivatives are asked for"),
+        ("nonsense\n", "is not a line of a parameters file"),
+        (DAKOTA.replace("3 ASV_1:tip", "4 ASV_1:tip"), "second derivatives are requested"),
         (DAKOTA.replace("ASV_1:tip", "ASV_1:nose"), 'no measure "nose"'),
-        (DAKOTA.replace("-2.000000000000000e+01", "high"), "is no number"),
+        (DAKOTA.replace("-2.000000000000000e+01", "high"), "is not a number"),
         ('{"lift": "high"}', "has no numbers"),
     ],
 )

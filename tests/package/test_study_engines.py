@@ -244,7 +244,7 @@ def test_a_variant_that_kills_its_workers_is_given_up_and_no_other_one():
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (("--scheduler", "tcp://127.0.0.1:1"), "only Dask has a scheduler"),
+        (("--scheduler", "tcp://127.0.0.1:1"), "only the engine dask has a scheduler"),
         (("--engine", "dask", "--scheduler", "nowhere://1"), "no scheduler answers"),
     ],
 )

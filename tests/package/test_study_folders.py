@@ -68,7 +68,7 @@ def contents(out: Path) -> dict[str, bytes]:
     [
         {"thesis.txt": "precious"},
         {"parameters.json": '{"mine": 1}', "thesis.txt": "precious"},
-        {"parameters.json": "no JSON"},
+        {"parameters.json": "not JSON"},
         {"sub/thesis.txt": "precious"},
     ],
 )
@@ -77,7 +77,7 @@ def test_a_folder_of_the_user_where_a_variant_belongs_is_refused_and_stays(files
     for name, text in files.items():
         (out / "000001" / name).parent.mkdir(parents=True, exist_ok=True)
         (out / "000001" / name).write_text(text)
-    with pytest.raises(FileError, match="000001: it stands where a variant belongs"):
+    with pytest.raises(FileError, match="000001: a variant belongs there"):
         run_study(study, out)
     for name, text in files.items():
         assert (out / "000001" / name).read_text() == text

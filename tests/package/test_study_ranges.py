@@ -69,7 +69,7 @@ def test_what_no_criterion_forbids_may_go_to_its_end(tmp_path: Path, capsys):
     parameters = {"lift": {"path": "pose.tip.translation[2]", "range": [10, 14]}}
     found = found_range(tmp_path, parameters=parameters)
     assert found["parameters"]["lift"]["low"] == 10 and found["parameters"]["lift"]["high"] == 14
-    assert "lift: 10 to 14, all of its range" in capsys.readouterr().out
+    assert "lift: 10 to 14, its full range" in capsys.readouterr().out
 
 
 def test_a_constraint_is_a_limit(tmp_path: Path):
@@ -121,7 +121,7 @@ def test_what_lies_beyond_a_range_is_refused_and_costs_nothing(tmp_path: Path):
     for row in rows:
         lift, entry = float(row["lift"]), limits["lift"]
         if not entry["low"] <= lift <= entry["high"]:
-            assert row["status"] == "refused" and " is beyond " in row["why"]
+            assert row["status"] == "refused" and " is outside " in row["why"]
     costs = json.loads((tmp_path / "out" / "costs.json").read_text())
     assert costs["computed"] == 24 - len(refused)
 

@@ -90,7 +90,7 @@ def test_what_is_no_thin_solid_is_told():
     report = automatic.deform().report()
     (note,) = [text for text in report["notes"] if text not in report["warnings"]]
     assert note.startswith('thin "auto" of "plate" has no effect')
-    with pytest.raises(RecipeError, match="it is no thin solid: its surface is not closed"):
+    with pytest.raises(RecipeError, match="it is not a thin solid: its surface is not closed"):
         Session(recipe_of(PLATE, {"thickness": 1.0}, **entries), {"plate": sheet})
 
 
@@ -99,8 +99,8 @@ def test_what_is_no_thin_solid_is_told():
     [
         (True, 'true is not "auto" (the default of CAD files), false (the default of others) or'),
         ("yes", '"yes" is not "auto" (the default of CAD files), false'),
-        ({"thickness": 0}, "0 is not a thickness in mm"),
-        ({"thickness": -2.0}, "-2.0 is not a thickness in mm"),
+        ({"thickness": 0}, "0 is not valid"),
+        ({"thickness": -2.0}, "-2.0 is not valid"),
         ({"thick": 2.0}, "thickness"),
         ({}, 'the key "thickness" is missing'),
     ],

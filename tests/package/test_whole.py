@@ -118,8 +118,8 @@ def test_what_has_no_effect_is_noted_and_what_cannot_be_is_refused():
     recipe["parts"][1]["mode"] = 2
     recipe["regions"] = [{"part": "left", "vertices": [0], "role": "follower"}]
     notes = Session(recipe, meshes).deform().report()["notes"]
-    assert sum("all parts are solved as a whole" in text for text in notes) == 2
+    assert sum("solves all parts together" in text for text in notes) == 2
     recipe, meshes = bumper("tied", "whole")
     recipe["energy"] = "steel"
-    with pytest.raises(RecipeError, match="solved as a whole cannot be of the energy 'steel'"):
+    with pytest.raises(RecipeError, match="'whole' supports neither the energy 'steel'"):
         Session(recipe, meshes)

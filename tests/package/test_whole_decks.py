@@ -41,7 +41,7 @@ def test_a_deck_under_the_ending_of_another_format_is_refused(name: str, suffix:
     if suffix in own:
         assert len(read_deck(Path(f"deck{suffix}"), lambda _: data).ids)
     else:
-        with pytest.raises(FileError, match="this is .*, and its name says .*; give it the ending"):
+        with pytest.raises(FileError, match="this is .*, but its name says .*; give it the ending"):
             read_deck(Path(f"deck{suffix}"), lambda _: data)
 
 
@@ -137,13 +137,13 @@ def test_a_deck_cut_at_the_end_of_a_line_says_what_is_missing(name: str):
 def test_a_card_that_goes_on_in_a_missing_line_is_named():
     text = b"BEGIN BULK\nGRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nRBE2,7,1,123,2,,,,,+\nENDDATA\n"
     deck = read_deck(Path("a.bdf"), lambda _: text.replace(b"ENDDATA\n", b""))
-    assert any("line 4: the last card goes on" in one for one in deck.raw.cut)
+    assert any("line 4: the last card has a continuation line" in one for one in deck.raw.cut)
 
 
 def test_an_element_of_missing_nodes_is_named():
     text = b"BEGIN BULK\nGRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nCROD,7,1,1,9\nENDDATA\n"
     deck = read_deck(Path("a.bdf"), lambda _: text)
-    assert "a.bdf, line 4: CROD 7 names nodes that are not there: 9" in deck.notes
+    assert "a.bdf, line 4: CROD 7 names nodes that do not exist: 9" in deck.notes
 
 
 def test_a_quadrilateral_with_three_corners_is_named():

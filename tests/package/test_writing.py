@@ -76,7 +76,7 @@ def test_parts_never_replace_a_source_behind_a_link(folder: Path, capsys):
     (folder / "out" / "plate.obj").symlink_to(folder / "plate.obj")
     before = tree(folder)
     assert main(["run", "recipe.json", "-o", "out"]) == 2
-    assert "would be written over a source file" in capsys.readouterr().err
+    assert "would overwrite the source file" in capsys.readouterr().err
     assert tree(folder) == before
 
 
@@ -162,7 +162,7 @@ def test_an_interrupt_between_two_renames_waits_and_the_message_is_true(
     monkeypatch.setattr("sheetmorph.files.atomic.os.replace", interrupted)
     before = set(tree(folder))
     assert main(["run", "recipe.json", "-o", "out", "--report", "report.json"]) == 130
-    assert capsys.readouterr().err == "interrupted; all files were written\n"
+    assert capsys.readouterr().err == "interrupted: all files were written\n"
     assert set(tree(folder)) - before == {"out", "out/plate.obj", "report.json"}
 
 
@@ -226,7 +226,7 @@ def test_what_a_recipe_beside_it_reads_is_not_written_over(name, spelling, folde
     assert main(["run", "recipe.json", "-o", "out", "--report", "report.json", "--force"]) == 2
     error = capsys.readouterr().err
     assert error.startswith("out/plate.obj") and error.count("\n") == 1
-    assert f'"{name}" beside it reads this file' in error
+    assert f'"{name}" next to it reads this file' in error
     assert tree(folder) == before
 
 

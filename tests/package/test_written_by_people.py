@@ -97,16 +97,16 @@ def test_every_entry_of_a_recipe_in_toml_that_is_wrong_has_its_line(folder: Path
 def test_a_key_that_stands_twice_is_told_where_it_is(tmp_path: Path):
     path = tmp_path / "recipe.json"
     path.write_text('{"a": {"b": 1},\n "c": [{"b": 1}, // b\n {"b": 1, "b": 2}]}')
-    with pytest.raises(RecipeError, match='line 3, column 11: the key "b" stands twice'):
+    with pytest.raises(RecipeError, match='line 3, column 11: the key "b" appears twice'):
         read_json(path)
 
 
 def test_nothing_that_was_edited_is_written_over(folder: Path, capsys):
     before = Path("recipe.json").read_text()
     assert main(["init", "plate.obj", "-o", "recipe.json"]) == 2
-    assert "recipe.json is there already" in capsys.readouterr().err
+    assert "recipe.json already exists" in capsys.readouterr().err
     assert main(["show", "recipe.json", "-o", "recipe.json"]) == 2
-    assert "end it in .png" in capsys.readouterr().err
+    assert "use a name that ends in .png" in capsys.readouterr().err
     assert Path("recipe.json").read_text() == before
 
 

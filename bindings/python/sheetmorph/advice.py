@@ -64,15 +64,15 @@ def _seams(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     weld = _in_mm(diagnosis, {"weld": diagnosis["tolerance"]})
     doubled = counts["duplicate_vertices"] + counts["near_duplicate_vertices"]
     if doubled:
-        text = counted(doubled, "vertex stands", "vertices stand")
-        text += " in nearly the place of another: the mesh is cut there"
+        text = counted(doubled, "vertex lies", "vertices lie")
+        text += " at nearly the same place as another: the mesh is cut there"
         closed = counts["open_edges"] - counts["open_edges_welded"]
         if closed > 0:
-            text += f"; welded, {closed} of {counts['open_edges']} open edges close"
+            text += f"; merging closes {closed} of {counts['open_edges']} open edges"
         yield "near-duplicate vertices", doubled, text, "weld", weld
     if counts["t_junctions"]:
         text = counted(counts["t_junctions"], "vertex lies", "vertices lie")
-        text += " inside an edge of others"
+        text += " on an edge of other triangles"
         yield "T-junctions", counts["t_junctions"], text, "weld", weld
     if counts["open_edges_welded"]:
         text = counted(counts["open_edges_welded"], "open edge", "open edges")
@@ -82,10 +82,10 @@ def _seams(diagnosis: dict[str, Any]) -> Iterator[_Found]:
         number = counts["non_manifold_edges_welded"]
         text = counted(number, "edge", "edges") + " with three triangles or more: "
         if counts["open_edges_welded"]:
-            text += "sheets meet there and stay together"
+            text += "sheets meet there and stay connected"
             yield "non-manifold edges", number, text, None, None
         else:
-            text += "solids touch there; welded, those that share a flat wall become one"
+            text += "solids touch there; merging joins those that share a flat wall"
             yield "non-manifold edges", number, text, "weld", weld
 
 
@@ -106,7 +106,7 @@ def _facets(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     counts = diagnosis["counts"]
     weld = _in_mm(diagnosis, {"weld": diagnosis["tolerance"]})
     for name, what in (
-        ("duplicate_triangles", ("triangle stands twice", "triangles stand twice")),
+        ("duplicate_triangles", ("triangle is duplicated", "triangles are duplicated")),
         ("degenerate_triangles", ("triangle has no height", "triangles have no height")),
         ("unused_vertices", ("vertex belongs to no triangle", "vertices belong to no triangle")),
     ):
@@ -114,7 +114,7 @@ def _facets(diagnosis: dict[str, Any]) -> Iterator[_Found]:
             text = counted(counts[name], *what)
             yield name.replace("_", " "), counts[name], text, "weld", weld
     if diagnosis["is_one_sided"]:
-        yield "one-sided", 1, "a piece is one-sided like a Moebius strip", None, None
+        yield "one-sided", 1, "a piece has one side only, like a Moebius strip", None, None
     if counts["flipped_triangles"]:
         text = counted(counts["flipped_triangles"], "triangle faces", "triangles face")
         text += " against the neighbours"
@@ -122,7 +122,7 @@ def _facets(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     inverted = sum(piece["is_inside_out"] for piece in diagnosis["components"])
     if inverted:
         text = counted(inverted, "closed component faces", "closed components face")
-        text += " inwards: hollow spaces, or turned inside out"
+        text += " inwards: cavities, or inside-out solids"
         yield "facing inwards", inverted, text, None, None
 
 
@@ -142,14 +142,15 @@ def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
         text += f" ({share:.2g} % of the triangles)"
         folds = counts["folded_slivers"]
         if folds:
-            text += f": the mesh folds at {folds} of them"
+            shortest = f"{edges['shortest']:.2g} {unit}"
+            text += f", {folds} of them in bends (shortest edge {shortest})"
         is_cured = folds > 0 or share >= _MANY_SLIVERS
         cure = ("remesh", remesh) if is_cured else (None, None)
         yield "slivers", counts["slivers"], text, *cure
     if edges["longest"] > _COARSE * diagnosis["size"] > 0.0:
         text = f"edges up to {edges['longest']:.3g} {unit}: too coarse to bend"
         if rims["count"] and rims["smallest_radius"] < edges["longest"]:
-            text += f", beside round rims of radius {rims['smallest_radius']:.3g} {unit}"
+            text += f", next to round rims of radius {rims['smallest_radius']:.3g} {unit}"
         yield "long edges", 1, text, "remesh", remesh
     if diagnosis["thickness"] is not None:
         number = sum(piece["kind"] == "thin solid" for piece in diagnosis["components"])
@@ -160,7 +161,7 @@ def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
         yield "thin solid", number, text, "thin", {"thin": "auto"}
     if len(diagnosis["components"]) > 1:
         number = len(diagnosis["components"])
-        text = f"{number} components that nothing connects"
+        text = f"{number} unconnected components"
         yield "components", number, text, "split", {"split": True}
     guess = diagnosis["unit"]
     if guess["scale"] != 1.0:
@@ -169,5 +170,5 @@ def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
         yield "unit", 1, text, "scale", {"scale": guess["scale"]}
     elif not guess["is_certain"]:
         options = either([f"--unit {name}" for name in guess["plausible"]])
-        text = f'the unit is not certain: {guess["reason"]}; say it with {options}'
+        text = f"the unit is not certain: {guess['reason']}; give it with {options}"
         yield "unit", 1, text, None, None

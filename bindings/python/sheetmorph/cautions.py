@@ -53,7 +53,7 @@ def unsettled(parts: list[dict[str, Any]]) -> list[Caution]:
     return [
         _of_part(
             part["name"],
-            f'"{part["name"]}": {part["unsettled"]}; move its handles less, or take a finer mesh',
+            f'"{part["name"]}": {part["unsettled"]}; move its handles less, or use a finer mesh',
         )
         for part in parts
         if part["unsettled"] is not None
@@ -80,8 +80,9 @@ def open_contacts(result: Answer) -> dict[str, Caution]:
         if contact.gap_change > limit:
             where = "" if contact.place is None else f" at {at_place(contact.place)}"
             found[contact.name] = Caution(
-                f'"{contact.name}" opens or closes by {contact.gap_change:.2g} mm{where}, beyond '
-                f"{limit:.2g} mm, {of_what}: {_todo(contact, result.session.model)}",
+                f'the gap of "{contact.name}" changes by {contact.gap_change:.2g} '
+                f"mm{where} (allowed {limit:.2g} mm, {of_what}): "
+                f"{_todo(contact, result.session.model)}",
                 Subject("contact", contact.name),
                 code=OPEN_CONTACT,
             )
@@ -99,13 +100,13 @@ def _todo(contact: ContactResult, model: Model) -> str:
         return "make it tied or rigid, or split it into smaller regions"
     if contact.type != "rigid":
         return "make it rigid, split it into smaller regions, or move the handle less"
-    return "look at what holds both parts"
+    return "check the constraints of both parts"
 
 
 def _limit(session: Preprocessed, contact: ContactResult) -> tuple[float, str]:
     """Return the admissible gap change of a contact, mm, and the reason for this limit."""
     region = contact.region_size
-    limits = [(_OF_REGION * region, "a tenth of its region")]
+    limits = [(_OF_REGION * region, "a tenth of its size")]
     gap = session.contact_gap(contact.name).middle
     if gap > _NOTHING * region:
         limits.append((_OF_GAP * gap, f"half its gap of {gap:.2g} mm"))
@@ -121,13 +122,14 @@ def _loose(session: Preprocessed) -> Iterator[Caution]:
     for part, (pieces, vertices) in session.loose_pieces.items():
         where = at_place(session.loose_places[part])
         number = counted(pieces, "piece", "pieces")
-        what = f'{number} of "{part}" ({vertices} vertices, one at {where}) that '
+        what = f'{number} of "{part}" ({vertices} vertices, one at {where}) '
         if session.model.unheld == "along":
-            text = what + "nothing holds go along with the nearest place of the others"
+            text = what + "are unconstrained and move along with the nearest constrained place"
         else:
             text = (
-                what + "nothing holds stay at rest: mark a fixed region or a handle on them, make "
-                'parts of them ("split": true) with contacts, or set "unheld" to "along"'
+                what + "are unconstrained and stay at rest: mark a fixed region or a handle "
+                'on them, split them into parts ("split": true) and add contacts, or '
+                'set "unheld" to "along"'
             )
         yield _of_part(part, text)
 
@@ -140,9 +142,10 @@ def _unheld_primary(session: Preprocessed) -> Iterator[Caution]:
         names = ", ".join(f'"{name}"' for name in sorted(others))
         yield _of_part(
             primary,
-            f'nothing of its own holds the primary part "{primary}": it moves as one piece, and '
-            f"what is fixed on {names} stretches the parts between; set the propagation to "
-            '"whole", which solves all parts at once, or fix some of the primary too',
+            f'the primary part "{primary}" has no fixed region: it moves as one '
+            f"rigid piece, and the fixed regions on {names} stretch the parts "
+            'between; set the propagation to "whole", which solves all parts at '
+            "once, or mark a fixed region on the primary part too",
         )
 
 
@@ -153,8 +156,9 @@ def _lost_decks(session: Preprocessed) -> Iterator[Caution]:
         if is_deck(unpacked_name(file)):
             yield _of_part(
                 part.name,
-                f'"{file}" is a deck, but OBJ is written: scale, weld and remesh make another '
-                f'mesh, without elements, joints and includes; leave them out of "{part.where}"',
+                f'the deck "{file}" is written as OBJ, because "scale", "weld" or '
+                '"remesh" makes a new mesh without elements, joints and includes; '
+                f'remove these keys from "{part.where}" to write a deck',
             )
 
 
@@ -163,9 +167,10 @@ def _unrepaired(result: Answer) -> Iterator[Caution]:
         if one["failing_after"]:
             yield _of_part(
                 one["part"],
-                f'{counted(one["failing_after"], "element", "elements")} of "{one["part"]}" still '
-                f"miss the criteria {one['criteria']} after repair ({one['failing_before']} before "
-                "it): nodes of features, contacts, regions, joints and borders stay where they are",
+                f"{counted(one['failing_after'], 'element', 'elements')} of "
+                f'"{one["part"]}" still fail the criteria {one["criteria"]} after '
+                f"repair ({one['failing_before']} before): the repair does not move "
+                "nodes of features, contacts, regions, joints and borders",
             )
 
 
@@ -174,8 +179,8 @@ def _unreached(session: Preprocessed) -> Iterator[Caution]:
     for part in session.unreached:
         if part not in held:
             yield Caution(
-                f'no motion reaches "{part}", so it stays at rest: join it to the others by a '
-                "contact, mark a fixed region on it, or leave it out",
+                f'no motion reaches "{part}", so it stays at rest: join it to the '
+                "others with a contact, mark a fixed region on it, or leave it out",
                 Subject("part", part),
                 code=UNREACHED,
             )
@@ -190,9 +195,10 @@ def _thinned(parts: list[dict[str, Any]]) -> Iterator[Caution]:
             place = ", ".join(f"{x:.4g}" for x in worst["place"])
             yield _of_part(
                 entry["name"],
-                f'the thickness of "{entry["name"]}" changes by {100.0 * change:.0f} % at '
-                f"({place}), from {worst['rest']:.3g} to {worst['deformed']:.3g} mm: move less, "
-                "mesh it finer there, or hold what is small there in a form feature",
+                f'the thickness of "{entry["name"]}" changes by {100.0 * change:.0f} % '
+                f"at ({place}), from {worst['rest']:.3g} to {worst['deformed']:.3g} mm: "
+                "move less, mesh it finer there, or mark small details there as a form "
+                "feature",
             )
 
 
@@ -212,17 +218,18 @@ def _misshapes(result: Answer, entry: dict[str, Any]) -> Iterator[str]:
         where = f' of "{name}"'
         yield (
             f"{folds(quality['flipped'], where)} onto a neighbour in this pose, at "
-            f"{at_place(quality['flipped_place'])}: remesh it, hold slivers in a form feature, or "
-            "turn it less"
+            f"{at_place(quality['flipped_place'])}: remesh it, mark slivers as a "
+            "form feature, or turn it less"
         )
     yield from _squeezed(name, quality)
     yield from _crossing(result, name)
     tear = result.session.cuts(name).tear(result.positions[name])
     if tear is not None:
         yield (
-            f'"{name}" is cut: {counted(tear.vertices, "vertex", "vertices")} part from others in '
-            f"the same place, by up to {tear.width:.3g} mm at {at_place(tear.place)}; nothing "
-            'holds the two sides together: set "weld" to join them'
+            f'"{name}" is cut: {counted(tear.vertices, "vertex", "vertices")} '
+            f"separate from others at the same place, by up to {tear.width:.3g} mm "
+            f'at {at_place(tear.place)}; nothing joins the two sides: set "weld" to '
+            "merge them"
         )
 
 
@@ -236,13 +243,13 @@ def _crossing(result: Answer, name: str) -> Iterator[str]:
     found, drawn = new_crossings(result, name), result.session.rest_crossings(name)
     if len(found):
         yield (
-            f'"{name}" passes through itself in this pose, at {where(found)}: turn it less, or '
-            "remesh it with shorter edges"
+            f'"{name}" penetrates itself in this pose, at {where(found)}: turn it '
+            "less, or remesh it with shorter edges"
         )
     if len(drawn) and any(part.name == name and part.thin for part in result.session.model.parts):
         yield (
-            f'"{name}" passes through itself as it was drawn, at {where(drawn)}: what crosses is '
-            "bent as one surface and its thickness means nothing there; separate it in CAD"
+            f'"{name}" penetrates itself at rest, at {where(drawn)}: it bends there '
+            "as one surface, without a valid thickness; separate it in CAD"
         )
 
 
@@ -263,7 +270,8 @@ def _squeezed(name: str, quality: dict[str, Any]) -> Iterator[str]:
     is_told = quality["collapsed_edges"] and worst == shortest
     if worst is not None and quality["worst_strain"] > _STRAIN and not is_told:
         yield (
-            f'an edge of "{name}", {worst["before"]:.3g} mm long, changes its length by '
-            f"{100.0 * quality['worst_strain']:.0f} % at {at_place(worst['place'])} in this pose: "
-            "move less, remesh it, or hold what is small there in a form feature"
+            f'an edge of "{name}", {worst["before"]:.3g} mm long, changes its '
+            f"length by {100.0 * quality['worst_strain']:.0f} % at "
+            f"{at_place(worst['place'])} in this pose: move less, remesh it, or "
+            "mark small details there as a form feature"
         )

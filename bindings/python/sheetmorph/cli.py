@@ -32,7 +32,9 @@ from .files.signals import stopping_signals
 
 DONE, BAD_INPUT, NOT_CERTIFIED = 0, 2, 3
 _INTERRUPTED = 130
-_POSE_HELP = "name of one of the recipe's poses, or JSON file with a pose, instead of its own"
+_POSE_HELP = (
+    "name of one of the recipe's poses, or a JSON file with a pose (default: the recipe's pose)"
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -50,7 +52,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             _say(_COMMANDS[wanted.command](wanted, files))
         return DONE
     except KeyboardInterrupt as stopped:
-        _complain(f"interrupted; {str(stopped) or _state(files)}")
+        _complain(f"interrupted: {str(stopped) or _state(files)}")
         return _INTERRUPTED
     except Exception as error:  # This is the edge of the program: every error becomes a sentence.
         text, status = _explain(error, _input_of(wanted), files)
@@ -106,7 +108,7 @@ def _explain(error: Exception, recipe: str, files: FileSet) -> tuple[str, int]:
     last = traceback.extract_tb(error.__traceback__)[-1]
     what = " ".join(f"{type(error).__name__}: {error}".split())
     place = f"{Path(last.filename).name}, line {last.lineno}"
-    text = f"{recipe}: a mistake of the program ({what}, {place}); {_state(files)}; please report"
+    text = f"{recipe}: SheetMorph has a bug ({what}, {place}); {_state(files)}; please report"
     return f"{text} it with this recipe", NOT_CERTIFIED
 
 
@@ -139,28 +141,28 @@ def parser() -> argparse.ArgumentParser:
     started = Path(sys.argv[0]).name
     parser = Parser(
         prog="python3 -m sheetmorph" if started == "__main__.py" else started,
-        description="Deform sheet-metal parts as a recipe says; form features stay rigid.",
+        description="Deform sheet-metal parts by a recipe; form features stay rigid.",
         epilog="Exit status: 0 done; 2 bad input, nothing written; 3 a certificate fails; "
         "130 interrupted.",
     )
     parser.add_argument("--version", action="version", version=f"sheetmorph {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     run = commands.add_parser("run", help="deform the parts of a recipe and write them")
-    check = commands.add_parser("check", help="do what run does, and write nothing")
+    check = commands.add_parser("check", help="do all that run does, but write nothing")
     add_resolve_arguments(commands)
     for command in (run, check):
         command.add_argument("recipe", help="JSON or TOML file; the part files are relative to it")
         text = "folder for the parts"
         command.add_argument("-o", "--output", required=command is run, metavar="DIR", help=text)
         command.add_argument("--pose", metavar="POSE", help=_POSE_HELP)
-        text = "write the parts of CAD files as STEP, too"
+        text = "also write the parts of CAD files as STEP"
         command.add_argument("--step", action="store_true", help=text)
         command.add_argument("--report", metavar="FILE", help="where to write the report (JSON)")
-        text = "write before.png and after.png beside the parts"
+        text = "write before.png and after.png next to the parts"
         command.add_argument("--pictures", action="store_true", help=text)
-        text = "warnings (badly opened contacts and others) end with exit status 3"
+        text = "exit with status 3 on warnings, such as open contacts"
         command.add_argument("--strict", action="store_true", help=text)
-        command.add_argument("--quiet", action="store_true", help="no progress on stderr")
+        command.add_argument("--quiet", action="store_true", help="do not print progress to stderr")
     _add_doctor(commands)
     add_find_arguments(commands)
     add_flatten_arguments(commands)
@@ -173,15 +175,15 @@ def parser() -> argparse.ArgumentParser:
 
 
 def _add_doctor(commands: Any) -> None:
-    doctor = commands.add_parser("doctor", help="say what meshes are and what is wrong with them")
+    doctor = commands.add_parser("doctor", help="describe meshes and their faults")
     doctor.add_argument("files", nargs="+", metavar="FILE", help="mesh file")
-    text = "vertices nearer than this are one place (mm; a millionth of the size)"
+    text = "merge distance of vertices, mm (default: a millionth of the size)"
     doctor.add_argument("--tolerance", type=_length, metavar="MM", help=text)
     add_unit_argument(doctor)
 
 
 def _add_force(commands: Any) -> None:
-    text = "write over files that SheetMorph did not write, too"
+    text = "also overwrite files that SheetMorph did not write"
     for name in ("run", "check", "resolve", "find", "flatten", "copy", "certify", "show", "study"):
         commands.choices[name].add_argument("--force", action="store_true", help=text)
 
@@ -189,12 +191,13 @@ def _add_force(commands: Any) -> None:
 def _length(text: str) -> float:
     value = float(text)
     if not 0.0 <= value < math.inf:
-        raise argparse.ArgumentTypeError(f"{text} is no length; give a number of 0 or more")
+        raise argparse.ArgumentTypeError(f"{text} is not a length; give a number of 0 or more")
     return value
 
 
 def _run(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     # Imported here, so that --help answers at once.
+    from .certifying import NotCertified
     from .running import run
 
     require_criteria(wanted)
@@ -204,10 +207,14 @@ def _run(wanted: argparse.Namespace, files: FileSet) -> list[str]:
             files=files, strict=wanted.strict, pictures=wanted.pictures, step=wanted.step,
             wide=wanted.wide, repair=wanted.repair, progress=progress,
         )  # fmt: skip
-    certified = certified_run(wanted) if wanted.certify else []
-    if wanted.json == STDOUT:
-        return as_json(report)
-    return [*ending_of(report, wanted.output, is_quiet=wanted.quiet), *certified]
+    lines = ending_of(report, wanted.output, is_quiet=wanted.quiet)
+    try:
+        certified = certified_run(wanted) if wanted.certify else []
+    except NotCertified:
+        seen = f"{wanted.output}: certificate.html shows what fails"
+        _say(as_json(report) if wanted.json == STDOUT else [*lines, seen])
+        raise
+    return as_json(report) if wanted.json == STDOUT else [*lines, *certified]
 
 
 def _report_of(wanted: argparse.Namespace) -> Path | str | None:

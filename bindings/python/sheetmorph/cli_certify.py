@@ -21,20 +21,24 @@ def add_certify_arguments(commands: Any, runs: Sequence[argparse.ArgumentParser]
     text = "a set (standard, crash, static) or a JSON file with criteria (default: standard)"
     add_copy_arguments(commands)
     for run in runs:
-        run.add_argument("--wide", action="store_true", help="GRID of moved nodes in large fields")
+        run.add_argument(
+            "--wide", action="store_true", help="write GRID cards of moved nodes in large fields"
+        )
         run.add_argument(
             "--repair", metavar="FILE", nargs="?", const="standard",
-            help=f"let nodes of decks slide in the sheet until elements meet criteria, {text}",
+            help=f"repair deck elements by sliding nodes until they meet criteria, {text}",
         )  # fmt: skip
-        run.add_argument("--certify", action="store_true", help="certify what was written, in DIR")
+        run.add_argument("--certify", action="store_true", help="certify the written parts")
         run.add_argument("--criteria", metavar="FILE", help=f"for --certify, {text}")
-    command = commands.add_parser("certify", help="measure and judge what a run wrote")
+    command = commands.add_parser("certify", help="certify the folder that a run wrote")
     command.add_argument("recipe", help="the recipe of the run")
     command.add_argument("folder", metavar="DIR", help="the folder that the run wrote")
     command.add_argument("--criteria", metavar="FILE", help=text)
-    command.add_argument("--page", metavar="FILE", help="where to write it as a page (HTML)")
+    command.add_argument(
+        "--page", metavar="FILE", help="where to write the certificate as an HTML page"
+    )
     for one in (*runs, command, commands.choices["copy"]):
-        text = "LS-DYNA decks as if their *KEYWORD said so"
+        text = "read LS-DYNA decks as if *KEYWORD had this option"
         one.add_argument("--keyword", choices=("long=y", "i10=y"), help=text)
 
 
@@ -60,12 +64,13 @@ def _certificate(
 
 def _summary(found: dict[str, Any], folder: str) -> list[str]:
     joints = sum(deck["joints"]["count"] for deck in found["decks"])
-    told = [
-        counted(len(found["parts"]), "part", "parts"),
-        counted(len(found["features"]), "form feature", "form features"),
-        counted(len(found["contacts"]), "contact", "contacts"),
-        counted(joints, "joint", "joints"),
-    ]
+    counts = (
+        (len(found["parts"]), "part", "parts"),
+        (len(found["features"]), "form feature", "form features"),
+        (len(found["contacts"]), "contact", "contacts"),
+        (joints, "joint", "joints"),
+    )
+    told = [counted(*count) for count in counts if count[0]]
     return [f"{folder}: certified by {found['criteria']['name']}: {', '.join(told)}"]
 
 

@@ -12,10 +12,10 @@ from .files.atomic import FileSet
 def add_copy_arguments(commands: Any) -> None:
     """Add `copy` to the commands of a parser."""
     copy = commands.add_parser(
-        "copy", help="read decks, meshes, files of welds and write them as they are"
+        "copy", help="read decks, meshes or joint files and write them unchanged"
     )
-    copy.add_argument("files", nargs="+", metavar="FILE", help="deck, mesh or file of welds")
-    copy.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for them")
+    copy.add_argument("files", nargs="+", metavar="FILE", help="deck, mesh or joint file")
+    copy.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for the copies")
 
 
 def run_copy(wanted: argparse.Namespace, files: FileSet) -> list[str]:

@@ -15,22 +15,52 @@ from .words import counted
 # Command-line option, name in FindOptions, type, help.
 _NUMBERS = (
     ("--gap", "gap", float, "largest distance of parts in contact, mm (default: proposed)"),
-    ("--rings", "rings", int, "washer rings around a hole (default: 1)"),
+    ("--rings", "rings", int, "rings of vertices around a hole (default: 1)"),
     ("--smallest-radius", "smallest_radius", float, "of holes, mm"),
     ("--largest-radius", "largest_radius", float, "of holes, mm"),
-    ("--roundness", "roundness", float, "residual of a round rim over its radius (default: 0.12)"),
-    ("--surface", "surface", float, "residual of a curved surface over its radius (default: 0.01)"),
-    ("--plane-angle", "plane_angle", float, "bend inside a plane, degrees (default: 6)"),
-    ("--smallest-area", "smallest_area", float, "of a surface over its part's (default: 0.004)"),
-    ("--crease-angle", "crease_angle", float, "a sharper bend is an edge, degrees (default: 35)"),
-    ("--scatter", "scatter", float, "standard deviation of measured vertices, mm (default: told)"),
-    ("--facing-angle", "facing_angle", float, "between surfaces in contact, degrees (default: 35)"),
+    (
+        "--roundness",
+        "roundness",
+        float,
+        "roundness tolerance of a rim, over its radius (default: 0.12)",
+    ),
+    (
+        "--surface",
+        "surface",
+        float,
+        "tolerance of a curved surface, over its radius (default: 0.01)",
+    ),
+    ("--plane-angle", "plane_angle", float, "largest bend inside a plane, degrees (default: 6)"),
+    (
+        "--smallest-area",
+        "smallest_area",
+        float,
+        "smallest area of a surface, over the area of its part (default: 0.004)",
+    ),
+    (
+        "--crease-angle",
+        "crease_angle",
+        float,
+        "edge angle: a sharper bend is an edge, degrees (default: 35)",
+    ),
+    (
+        "--scatter",
+        "scatter",
+        float,
+        "standard deviation of measured vertices, mm (default: estimated)",
+    ),
+    (
+        "--facing-angle",
+        "facing_angle",
+        float,
+        "largest angle between surfaces in contact, degrees (default: 35)",
+    ),
 )
 # Mesh sizes for CAD files, as in the key `mesh` of a recipe.
 _SIZES = (
-    ("--edge", "edge", "longest edges of the meshes of CAD files, mm"),
-    ("--deflection", "deflection", "how far those meshes may be off their surfaces, mm"),
-    ("--angle", "angle", "how far those meshes may bend from edge to edge, degrees"),
+    ("--edge", "edge", "maximum edge length for meshing CAD files, mm"),
+    ("--deflection", "deflection", "maximum deviation of these meshes from the CAD surfaces, mm"),
+    ("--angle", "angle", "maximum bend of these meshes from edge to edge, degrees"),
 )
 
 
@@ -39,14 +69,21 @@ def add_find_arguments(commands: Any) -> None:
     find = commands.add_parser("find", help="print the features and contacts of mesh files as JSON")
     find.add_argument("files", nargs="+", metavar="FILE", help="mesh files of one assembly")
     ways = ("auto", "components", "property", "none")
-    find.add_argument("--split", choices=ways, default="auto", help="parts in one file")
-    find.add_argument("--kind", action="append", metavar="KIND", help="only this kind of features")
-    find.add_argument("--one-per-pair", action="store_true", help="one contact for two parts")
+    find.add_argument(
+        "--split", choices=ways, default="auto", help="how to split a file into parts"
+    )
+    find.add_argument(
+        "--kind",
+        action="append",
+        metavar="KIND",
+        help="find this kind of feature only (hole: all holes); can be repeated",
+    )
+    find.add_argument("--one-per-pair", action="store_true", help="one contact per pair of parts")
     for option, name, kind, text in _NUMBERS:
         find.add_argument(option, dest=name, type=kind, metavar="N", help=text)
     for option, name, text in _SIZES:
         find.add_argument(option, dest=name, type=float, metavar="N", help=text)
-    find.add_argument("-o", "--output", metavar="FILE", help="write there instead of printing")
+    find.add_argument("-o", "--output", metavar="FILE", help="write to FILE instead of printing")
 
 
 def run_find(wanted: argparse.Namespace, files: FileSet) -> list[str]:
@@ -81,13 +118,14 @@ def write_text(wanted: argparse.Namespace, text: str, files: FileSet) -> Path:
 
 
 def _known_kinds(kinds: list[str]) -> list[str]:
-    from .finding.options import KINDS
+    from .finding.options import HOLES, KINDS, ODD_HOLE
 
-    unknown = [kind for kind in kinds if kind not in KINDS]
+    unknown = [kind for kind in kinds if kind not in (*KINDS, ODD_HOLE)]
     if unknown:
-        known = f"use one of {', '.join(KINDS)}"
+        known = f"use one of {', '.join((*KINDS, ODD_HOLE))}"
         raise RecipeError([Fault("--kind", f'there is no kind "{unknown[0]}"', known)])
-    return kinds
+    meanings = {"hole": HOLES, ODD_HOLE: ("hole",)}
+    return [one for kind in kinds for one in meanings.get(kind, (kind,))]
 
 
 def _checked(options: Any) -> Any:

@@ -16,26 +16,26 @@ from .files.atomic import FileSet
 
 def add_flatten_arguments(commands: Any) -> None:
     """Add `flatten` to the commands of a parser."""
-    text = "lay a bent sheet flat: blank, bend lines, bend table (kinematic, no forming)"
+    text = "flatten a bent sheet: blank, bend lines, bend table (kinematic, no forming simulation)"
     flatten = commands.add_parser("flatten", help=text)
     flatten.add_argument("file", metavar="FILE", help="mesh of an open sheet or a thin solid")
     text = "folder for DXF, SVG, OBJ and JSON, or one file .dxf, .svg, .obj or .json"
     flatten.add_argument("-o", "--output", metavar="OUT", help=text)
-    text = "thickness of an open sheet, which is the middle of the metal"
+    text = "thickness of an open sheet, which is the mid-surface, mm"
     flatten.add_argument("--thickness", type=_positive, metavar="MM", help=text)
-    text = "text file with a ratio R/T and a K-factor a line, instead of the usual ones"
+    text = "text file with one R/T ratio and K-factor per line (default: usual values)"
     flatten.add_argument("--k-table", metavar="TABLE", help=text)
-    text = "how much 99 %% of the area may be stretched, percent (default: 1)"
+    text = "largest stretch allowed in 99 %% of the area, percent (default: 1)"
     flatten.add_argument("--limit", type=_positive, default=1.0, metavar="PERCENT", help=text)
-    text = "weld vertices nearer than this first, where a file is cut along faces"
+    text = "merge vertices closer than this first, for files that are cut along faces"
     flatten.add_argument("--weld", type=_positive, metavar="MM", help=text)
-    flatten.add_argument("--quiet", action="store_true", help="no progress on stderr")
+    flatten.add_argument("--quiet", action="store_true", help="do not print progress to stderr")
 
 
 def _positive(text: str) -> float:
     value = float(text)
     if not 0.0 < value < math.inf:
-        raise argparse.ArgumentTypeError(f"{text} is no number above 0")
+        raise argparse.ArgumentTypeError(f"{text} is not a number above 0")
     return value
 
 
@@ -63,13 +63,13 @@ def run_flatten(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     word = "units" if unit["guess"] == "unknown" else unit["guess"]
     told = [line for pattern in patterns for line in table_of(pattern, word)]
     if word != "mm":
-        what = f"lengths are those of the file, which seems to be in {word}"
-        told.append(f"note: {what} ({unit['reason']}); in the files that are written 1 is 1 mm")
+        what = f"lengths are in the unit of the file, which seems to be {word}"
+        told.append(f"note: {what} ({unit['reason']}); in the written files, 1 means 1 mm")
     if output is None:
         return told
     try:
         files.reads += [Path(wanted.file), *([Path(wanted.k_table)] if wanted.k_table else [])]
         written = write_patterns(patterns, output, files)
     except InputError as error:
-        raise RecipeError([Fault("flatten", error.what, error.todo)]) from error
+        raise RecipeError([Fault(str(output), error.what, error.todo)]) from error
     return [*told, *(f"wrote {path}" for path in written)]

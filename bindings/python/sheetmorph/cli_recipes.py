@@ -21,27 +21,33 @@ _SCHEMAS = ("recipe", "report", "find", "doctor", "certificate", "study")
 
 def add_recipe_commands(commands: Any) -> None:
     """Add `init`, `show` and `schema` to the commands of a parser."""
-    init = commands.add_parser("init", help="write a first recipe of some files, to be edited")
+    init = commands.add_parser("init", help="write a first recipe for files, to be edited")
     init.add_argument("files", nargs="+", metavar="FILE", help="mesh, deck or CAD file")
-    init.add_argument("-o", "--output", metavar="FILE", help="write there instead of printing")
+    init.add_argument("-o", "--output", metavar="FILE", help="write to FILE instead of printing")
     add_unit_argument(init)
-    init.add_argument("--quiet", action="store_true", help="no progress on stderr")
-    show = commands.add_parser("show", help="draw what a recipe means")
+    init.add_argument("--quiet", action="store_true", help="do not print progress to stderr")
+    show = commands.add_parser("show", help="draw the regions and motions of a recipe")
     show.add_argument("recipe", help="JSON or TOML file")
     show.add_argument("-o", "--output", required=True, metavar="FILE", help="picture (PNG)")
-    show.add_argument("--pose", metavar="NAME", help="one of its poses instead of its own")
-    show.add_argument("--after", action="store_true", help="the parts in the pose, how far moved")
-    text = "from the middle to the eye (default: 0.55,-1,0.75)"
+    show.add_argument(
+        "--pose",
+        metavar="NAME",
+        help="name of one of the recipe's poses (default: the recipe's pose)",
+    )
+    show.add_argument(
+        "--after", action="store_true", help="draw the deformed parts, coloured by displacement"
+    )
+    text = "view direction, from the centre to the eye (default: 0.55,-1,0.75)"
     show.add_argument("--view", type=_direction, metavar="X,Y,Z", help=text)
-    show.add_argument("--quiet", action="store_true", help="no progress on stderr")
+    show.add_argument("--quiet", action="store_true", help="do not print progress to stderr")
     schema = commands.add_parser("schema", help="print the JSON Schema of recipes")
-    text = "of what (default: recipe)"
+    text = "which schema (default: recipe)"
     schema.add_argument("of", nargs="?", choices=_SCHEMAS, default="recipe", help=text)
 
 
 def add_unit_argument(command: argparse.ArgumentParser) -> None:
     """Add the option `--unit`, the unit of mesh files."""
-    text = "the unit of mesh files (default: the one that makes them usual sheet-metal parts)"
+    text = "unit of the mesh files (default: the one that gives usual sizes of sheet-metal parts)"
     command.add_argument("--unit", choices=tuple(UNITS), help=text)
 
 
@@ -51,7 +57,9 @@ def _direction(text: str) -> tuple[float, float, float]:
     except ValueError:
         values = []
     if len(values) != 3 or not 0.0 < math.hypot(*values) < math.inf:
-        raise argparse.ArgumentTypeError(f"{text} is no direction; give three numbers, 1,0,0")
+        raise argparse.ArgumentTypeError(
+            f"{text} is not a direction; give three numbers, such as 1,0,0"
+        )
     return values[0], values[1], values[2]
 
 
@@ -60,7 +68,7 @@ def _init(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     from .starting import starting_recipe
 
     if wanted.output and Path(wanted.output).exists():
-        what = f"{wanted.output} is there already, and may have been edited"
+        what = f"{wanted.output} already exists and may have been edited"
         raise RecipeError([Fault("-o", what, "name another file, or remove it first")])
     folder = Path(wanted.output).parent if wanted.output else Path()
     with progress_on(sys.stderr, wanted.quiet) as progress:
@@ -69,7 +77,7 @@ def _init(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     if not wanted.output:
         return [text.rstrip("\n")]
     path = write_text(wanted, text, files)
-    return [f"{path}: written; look at it with `show`, edit it, `run` it"]
+    return [f"{path}: written; check it with `show`, edit it, then `run` it"]
 
 
 def _show(wanted: argparse.Namespace, files: FileSet) -> list[str]:

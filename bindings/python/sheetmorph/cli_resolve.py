@@ -16,11 +16,11 @@ from .files.atomic import FileSet
 
 def add_resolve_arguments(commands: Any) -> None:
     """Add `resolve` to the commands of a parser."""
-    text = "print a recipe with the vertex ids its selectors stand for"
+    text = "print a recipe with vertex ids in place of its selectors"
     resolve = commands.add_parser("resolve", help=text)
     resolve.add_argument("recipe", help="JSON file; the part files are relative to it")
-    resolve.add_argument("-o", "--output", metavar="FILE", help="write there instead of printing")
-    resolve.add_argument("--quiet", action="store_true", help="no progress on stderr")
+    resolve.add_argument("-o", "--output", metavar="FILE", help="write to FILE instead of printing")
+    resolve.add_argument("--quiet", action="store_true", help="do not print progress to stderr")
 
 
 def run_resolve(wanted: argparse.Namespace, files: FileSet) -> list[str]:

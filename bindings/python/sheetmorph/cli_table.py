@@ -17,7 +17,7 @@ def ending_of(report: dict[str, Any], output: str, *, is_quiet: bool) -> list[st
     lines = [] if is_quiet else [*_parts(report), *_contacts(report)]
     lines += [f"warning: {text}" for text in report["warnings"]]
     parts = counted(len(report["parts"]), "part", "parts")
-    lines.append(f"{output}: {parts} written, {_rigid(report)}")
+    lines.append("; ".join([f"{output}: {parts} written", *_rigid(report)]))
     return [*lines, *_shapes(report)]
 
 
@@ -51,16 +51,19 @@ def _shapes(report: dict[str, Any]) -> Iterator[str]:
         off = max((body["distance"]["value"] for body in bodies), default=0.0)
         yield (
             f"{name}: {counted(kept, 'face', 'faces')} kept, {fitted} fitted, "
-            f"at most {off:.2g} mm off the mesh, "
-            f"{own[0]['bytes'] / max(own[0]['bytes_before'], 1):.2g} times its size"
+            f"at most {off:.2g} mm from the mesh, "
+            f"{own[0]['bytes'] / max(own[0]['bytes_before'], 1):.2g} times the size of the "
+            "original file"
         )
 
 
 def _contacts(report: dict[str, Any]) -> list[str]:
     """List the contacts with the largest gap changes."""
     contacts = sorted(report["contacts"], key=lambda contact: -float(contact["gap_change"]))
+    is_whole = report["propagation"] == "whole"
+    ways = "{source} and {target} are solved together", "{source} drives {target}"
     lines = [
-        f"{contact['name']}: {contact['source']} drives {contact['target']}, gap change "
+        f"{contact['name']}: {ways[not is_whole].format(**contact)}, gap change "
         f"{contact['gap_change']:.2g} mm"
         for contact in contacts[:_MOST]
     ]
@@ -83,15 +86,19 @@ def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
     ]
 
 
-def _rigid(report: dict[str, Any]) -> str:
+def _rigid(report: dict[str, Any]) -> list[str]:
+    """Describe the rigidity of the form features, if there are any, and the proposals left out."""
     # Imported here, so that --help answers at once.
     from .report import rigidity
 
     features, left_out = report["features"], report.get("found", {}).get("left_out", [])
     worst = max(map(rigidity, features), default=0.0)
-    text = f"{counted(len(features), 'form feature', 'form features')} rigid to {worst:.2g} mm"
+    texts = []
+    if features:
+        number = counted(len(features), "form feature", "form features")
+        texts.append(f"{number} rigid to {worst:.2g} mm")
     if left_out:
         number = counted(len(left_out), "proposal", "proposals")
-        text += f"; {number} changed or left out: {left_out[0]}"
-        text += " (all in the report)" if len(left_out) > 1 else ""
-    return text
+        more = " (all in the report)" if len(left_out) > 1 else ""
+        texts.append(f"{number} changed or left out: {left_out[0]}{more}")
+    return texts

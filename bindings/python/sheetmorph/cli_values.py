@@ -46,7 +46,7 @@ class Parser(argparse.ArgumentParser):
             return words
         if missing < len(values):
             options = " or ".join(f"{words[k]}={words[k + 1]}" for k in values)
-            self.error(f"which word is the value of an option? Write {options}")
+            self.error(f"it is not clear which word is the value of an option; write {options}")
         for k in values:
             action = self._action(words[k])
             words[k] = f"{words[k]}={action.const}" if action is not None else words[k]
@@ -90,7 +90,7 @@ def _is_option(word: str) -> bool:
 
 def add_json_argument(commands: Sequence[argparse.ArgumentParser]) -> None:
     """Add `--json` to commands, with the same meaning in each."""
-    text = "the result as JSON: in FILE, or on stdout in place of the text"
+    text = "write the result as JSON to FILE, or to stdout in place of the text"
     for command in commands:
         command.add_argument("--json", nargs="?", const=STDOUT, metavar="FILE", help=text)
 

@@ -23,7 +23,7 @@ def copy_files(paths: Sequence[str | Path], out: str | Path, files: FileSet) -> 
     targets = [place for copy in work for place in copy.places]
     twice = {place for place in targets if targets.count(place) > 1}
     if twice:
-        what = f"two of the files would become {sorted(twice)[0]}"
+        what = f"two of the files would be written as {sorted(twice)[0]}"
         raise RecipeError([Fault("-o", what, "copy them into different folders")])
     read = [path for copy in work for path in copy.read]
     places = Places(read, folder, targets, None)
@@ -69,7 +69,7 @@ class _Copy:
                     self._deck.save(self._deck.points, number, written)
                 same = same and _holds(temporary, self._deck.texts[number].whole)
         if not same:
-            what = "it did not come out as it went in"
+            what = "the copy differs from the original"
             raise FileError(self.read[0], what, "please report it with this deck")
         return _told(self._deck, self.places[0])
 
@@ -101,7 +101,9 @@ def _told(deck: Deck, place: Path) -> str:
     elements = f", {', '.join(words)}" if words else ""
     nodes = int((deck.ids > 0).sum())
     told = f"{place}: {deck.form}, {nodes} nodes{elements}{files}, every byte as it was"
-    placing = [f"{card.card} {card.what}: it cannot be morphed" for card in deck.raw.placing[:1]]
+    placing = [
+        f"{card.card} {card.what}: the deck cannot be deformed" for card in deck.raw.placing[:1]
+    ]
     return "; ".join([told, *deck.notes, *placing])
 
 

@@ -202,8 +202,8 @@ class OccupiedError(FileError):
     """
 
     def __init__(self, path: str | Path):
-        what = "it is there already, and SheetMorph did not write it as it is now"
-        super().__init__(path, what, "name another place, remove it, or add --force (force=True)")
+        what = "it already exists, and SheetMorph did not write its current content"
+        super().__init__(path, what, "choose another name, remove it, or add --force (force=True)")
 
 
 def list_ids(ids: Sequence[int], shown: int = 8) -> str:

@@ -47,7 +47,7 @@ def unit_of(size: float, thickness: float | None, given: str | None = None) -> d
             reason += f", {_described('mm', size, thickness)} is not"
         others = [other for other in plausible if other != name]
         if others and name != "mm":
-            reason += f"; if it is {either(others)}, give another scale"
+            reason += f"; if the unit is {either(others)}, give another scale"
         return _unit(name, reason, plausible, True)
     is_certain = "mm" in plausible and thickness is None and size >= _LARGE
     reason = f"{size:.4g} mm is a usual size" if is_certain else f"it may be {sizes}"

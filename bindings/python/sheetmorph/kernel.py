@@ -23,6 +23,9 @@ def load_kernel() -> ModuleType:
         ) from None
     found = getattr(core, "KERNEL_API", None)
     if found != KERNEL_API:
-        text = f"The kernel sheetmorph._core has interface {found}, this package needs {KERNEL_API}"
+        text = (
+            f"The kernel sheetmorph._core has interface {found}, but this package "
+            f"needs {KERNEL_API}"
+        )
         raise KernelError(f"{text}; {_TODO}.")
     return core

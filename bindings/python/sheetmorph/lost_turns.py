@@ -68,9 +68,10 @@ def _lost_on(result: Answer, part: str, turns: dict[str, _Turn]) -> Iterator[Cau
             lost = max(1, round(missed / math.tau))
             yield Caution(
                 f'{counted(lost, "whole turn", "whole turns")} of the handle "{name}" '
-                f'({math.degrees(turn.angle):.0f} degrees) {"is" if lost == 1 else "are"} lost: '
-                f'the triangles of "{part}" between it and what holds the part are too coarse to '
-                "follow; remesh the part more finely, or turn the handle less",
+                f"({math.degrees(turn.angle):.0f} degrees) "
+                f'{"is" if lost == 1 else "are"} lost: the triangles of "{part}" '
+                "between it and the constraints of the part are too coarse to follow; "
+                "remesh the part more finely, or turn the handle less",
                 Subject("handle", name),
             )
 

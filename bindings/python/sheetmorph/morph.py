@@ -338,7 +338,7 @@ class Morph:
     def _add(self, section: str, entry: dict[str, Any]) -> Morph:
         entries = self.recipe.get(section)
         if entries is not None and not isinstance(entries, list):
-            what, todo = f"{section} are found by themselves", f"call find({section}=[]) before"
+            what, todo = f"{section} are found automatically", f"call find({section}=[]) first"
             raise RecipeError([Fault(section, what, todo)])
         self.recipe[section] = [*(entries or []), entry]
         return self._changed()

@@ -25,7 +25,7 @@ def notes_of(session: Preprocessed) -> list[str]:
 def _sheets(session: Preprocessed) -> Iterator[str]:
     model = session.model
     if model.energy == "steel" and model.refine:
-        yield "refine has no effect: steel goes further than that"
+        yield "refine has no effect: the energy steel is already more accurate"
 
 
 def _joined(session: Preprocessed) -> Iterator[str]:
@@ -40,9 +40,12 @@ def _joined(session: Preprocessed) -> Iterator[str]:
     for labels in joined[:_MOST_BODIES]:
         names = ", ".join(labels[:_MOST_BODIES])
         more = f" and {len(labels) - _MOST_BODIES} more" if len(labels) > _MOST_BODIES else ""
-        yield f"{names}{more} are one rigid body: they share vertices"
+        yield f"{names}{more} form one rigid body, because they share vertices"
     if len(joined) > _MOST_BODIES:
-        yield f"so are {len(joined) - _MOST_BODIES} more sets of form features and rigid contacts"
+        yield (
+            f"{len(joined) - _MOST_BODIES} more sets of form features and rigid "
+            "contacts form one rigid body each"
+        )
 
 
 def shape_notes(parts: list[dict[str, Any]]) -> Iterator[str]:
@@ -61,7 +64,10 @@ def _primary(model: Model) -> Iterator[str]:
 def _thin(session: Preprocessed) -> Iterator[str]:
     for part in session.model.parts:
         if part.thin == "auto" and session.thin_solid(part.name) is None:
-            yield f'thin "auto" of "{part.name}" has no effect: it is recognised as none'
+            yield (
+                f'thin "auto" of "{part.name}" has no effect: the part is not '
+                "recognised as a thin solid"
+            )
 
 
 def _single(session: Preprocessed) -> Iterator[str]:
@@ -88,9 +94,12 @@ def _whole(session: Preprocessed) -> Iterator[str]:
     for part in model.parts:
         if part.mode and part.name != model.primary:
             lead = f'mode {part.mode} of "{part.name}" has no effect'
-            yield f"{lead}: all parts are solved as a whole"
+            yield f'{lead}: the propagation "whole" solves all parts together'
     for name in sorted({region.part for region in model.of_kind("follower")}):
-        yield f'the followers on "{name}" have no effect: all parts are solved as a whole'
+        yield (
+            f'the followers on "{name}" have no effect: the propagation "whole" '
+            "solves all parts together"
+        )
 
 
 def _local(session: Preprocessed) -> Iterator[str]:

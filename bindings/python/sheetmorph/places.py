@@ -28,8 +28,8 @@ class Places:
         read = {identity(path) for path in self.read}
         for part in self.parts if not faults else ():
             if identity(part) in read:
-                what = f"a part would be written over a source file, {part}"
-                faults.append(Fault("-o", what, "name another folder"))
+                what = f"a part would overwrite the source file {part}"
+                faults.append(Fault("-o", what, "choose another folder"))
             faults += _file_faults("-o", part)
         if self.report is not None and not faults:
             faults += self._report_faults(self.report)
@@ -46,11 +46,11 @@ class Places:
 
     def _report_faults(self, report: Path) -> list[Fault]:
         if is_one_of(report, [self.out]):
-            return [Fault("--report", f"{report} is the folder of the parts", "name a file")]
+            return [Fault("--report", f"{report} is the folder of the parts", "give a file name")]
         if is_one_of(report, self.parts):
-            return [Fault("--report", f"{report} is the file of a part", "name another file")]
+            return [Fault("--report", f"{report} is the file of a part", "choose another file")]
         if is_one_of(report, self.read):
-            return [Fault("--report", f"{report} is read by this run", "name another file")]
+            return [Fault("--report", f"{report} is read by this run", "choose another file")]
         made = {folder.resolve() for folder in (self.out, *self.out.parents)}
         if not report.parent.is_dir() and report.parent.resolve() not in made:
             return [Fault(str(report), "its folder does not exist", "create the folder first")]
@@ -68,8 +68,8 @@ def _file_faults(where: str, path: Path) -> list[Fault]:
 def _folder_faults(out: Path) -> list[Fault]:
     existing = next(folder for folder in (out, *out.absolute().parents) if folder.exists())
     if not existing.is_dir():
-        return [Fault("-o", f"{existing} is not a folder", "name another folder")]
+        return [Fault("-o", f"{existing} is not a folder", "choose another folder")]
     if not os.access(existing, os.W_OK | os.X_OK):
-        todo = "change its rights, or name another folder"
+        todo = "change its rights, or choose another folder"
         return [Fault("-o", f"{existing} cannot be written", todo)]
     return []

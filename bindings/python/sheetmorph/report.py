@@ -100,6 +100,7 @@ def make_report(
         "sheetmorph_report": 1,
         "versions": _versions(session.core),
         **{"energy": session.model.energy, "operator": session.model.operator},
+        "propagation": session.model.propagation.type,
         **{"primary": session.model.primary, "refine": session.model.refine},
         "symmetry": _symmetry(session.model.symmetry),
         **{"pose": entries_of(result.pose), "size": session.size, "tolerance": tol},

@@ -15,7 +15,7 @@ from typing import Any
 from .arrays import Floats
 from .cautions import unsettled
 from .certifying.repair import criteria_of, repaired
-from .errors import Caution, KernelError
+from .errors import Caution, Fault, KernelError, RecipeError
 from .files import FileSet
 from .files.cad_file import CadFile
 from .files.cad_writing import write_shapes
@@ -270,6 +270,7 @@ class _Morph:
         if found is None or isinstance(found, dict):
             return [], found
         with named_in(self._path):
+            _require_pose(self.recipe, found)
             return [Path(found)], read_json(found)
 
     def places(self, read: list[Path], out: Path, report: Path | None) -> Places:
@@ -338,6 +339,15 @@ def _named_pose(recipe: Any, pose: Any) -> Any:
     if isinstance(pose, str) and isinstance(named, dict) and pose in named:
         return named[pose]
     return pose
+
+
+def _require_pose(recipe: Any, pose: Any) -> None:
+    """Raise RecipeError unless a pose that the recipe does not have is a file."""
+    if Path(pose).suffix or Path(pose).exists():
+        return
+    names = ", ".join(f'"{name}"' for name in recipe.get("poses") or {})
+    todo = f"it has {names}" if names else "it has no poses; give a file with a pose"
+    raise RecipeError([Fault("poses", f'the recipe has no pose "{pose}"', todo)])
 
 
 def _keep_going(_fraction: float, _task: str) -> bool:

@@ -81,8 +81,9 @@ def shape_failures(part: str, shape: dict[str, Any], flipped: int) -> Iterator[s
     what = _fold(flipped, crossed["rest"], crossed["deformed"])
     if what:
         yield (
-            f'"{part}" cannot be written as {shape["format"].upper()}: its mesh folds ({what}), '
-            "and so would its faces; turn it less, or mesh it finer"
+            f'"{part}" cannot be written as {shape["format"].upper()}: its mesh '
+            f"folds ({what}), so its faces would fold too; turn it less, or mesh it "
+            "finer"
         )
         return
     for body in shape["bodies"]:
@@ -104,7 +105,7 @@ def fold_of(core: Any, mesh: PartMesh, positions: Floats) -> str:
 def _fold(flipped: int, rest: int, deformed: int) -> str:
     if flipped:
         return folds(flipped)
-    return "it passes through itself" if deformed > rest else ""
+    return "it penetrates itself" if deformed > rest else ""
 
 
 def kink_notes(part: str, shape: dict[str, Any]) -> Iterator[str]:
@@ -129,24 +130,27 @@ def _body_failures(body: dict[str, Any], shape: dict[str, Any]) -> Iterator[str]
     if body["far_faces"]:
         far, faces = body["distance"], _faces(body["far_faces"])
         yield (
-            f"{faces} {_are(body['far_faces'])} up to {far['value']:.2g} mm off the deformed mesh, "
-            f"at {_place(far)}, beyond {shape['tolerance']:.3g} mm; mesh the part finer, or give "
-            "a larger write_tolerance"
+            f"{faces} {_are(body['far_faces'])} up to {far['value']:.2g} mm from the deformed "
+            f"mesh, at {_place(far)} (allowed {shape['tolerance']:.3g} mm); mesh the part finer, "
+            "or give a larger write_tolerance"
         )
     if body["gap"]["value"] > shape["edge_tolerance"]:
         yield (
-            f"face {body['gap']['face']} is {body['gap']['value']:.2g} mm off an edge, beyond "
-            f"{shape['edge_tolerance']:.3g} mm; mesh the part finer, or give a larger "
+            f"face {body['gap']['face']} is {body['gap']['value']:.2g} mm from an edge (allowed "
+            f"{shape['edge_tolerance']:.3g} mm); mesh the part finer, or give a larger "
             "write_edge_tolerance"
         )
     if not body["was_valid"]:
         why = "; ".join(body["faults_before"])
-        yield f"it was no valid shape before it was deformed ({why}); repair it in the CAD system"
+        yield (
+            f"it was not a valid shape before the deformation ({why}); repair it in "
+            "the CAD system"
+        )
     elif not body["is_valid"]:
         named = f", {_faces(body['invalid_faces'])}" if body["invalid_faces"] else ""
-        yield f"it is no valid shape{named}; mesh the part finer, or turn it less"
+        yield f"it is not a valid shape{named}; mesh the part finer, or turn it less"
     if body["was_closed"] and not body["is_closed"]:
-        yield "it is not closed any more; mesh the part finer, or turn it less"
+        yield "it is no longer closed; mesh the part finer, or turn it less"
     thin = body.get("thickness")
     if thin and thin["largest_change"] - thin["in_mesh"] > THINNER * thin["thickness"]:
         yield (
@@ -158,8 +162,9 @@ def _body_failures(body: dict[str, Any], shape: dict[str, Any]) -> Iterator[str]
     if changed:
         worst = max(changed, key=lambda one: float(one["error"]))
         yield (
-            f"the cylinder of face {worst['face']} has a radius of {worst['after']:.12g} mm and "
-            f"not {worst['wanted']:.12g} mm; hold it in a form feature"
+            f"the cylinder of face {worst['face']} has a radius of "
+            f"{worst['after']:.12g} mm and not {worst['wanted']:.12g} mm; mark it "
+            "as a form feature"
         )
 
 

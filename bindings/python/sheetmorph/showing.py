@@ -48,7 +48,13 @@ def show(
     path = Path(recipe_path)
     if Path(picture).suffix.lower() != ".png":
         raise RecipeError(
-            [Fault("-o", f"pictures are PNG files, {picture} is none", "end it in .png")]
+            [
+                Fault(
+                    "-o",
+                    f"pictures are PNG files, and {picture} is not one",
+                    "use a name that ends in .png",
+                )
+            ]
         )
     recipe = read_json(path)
     with named_in(path):

@@ -40,5 +40,5 @@ def missed_sizes(
             found.append(f"{name}: its size cannot be measured in this pose")
         elif size is not None:
             if not abs(measured - size) <= 1e-9 * size + tol + rounding[entry["part"]]:
-                found.append(f"{name}: {measured:.6g} mm in place of {size:.6g} mm")
+                found.append(f"{name}: {measured:.6g} mm instead of {size:.6g} mm")
     return found

@@ -136,8 +136,8 @@ def _keys(entries: list[Entry], parts: Parts, found: Findings) -> list[Key]:
     """Return the keys of the recipe in their order."""
     primary = next((name for name in found.primary if len(parts.meshes[name].triangles)), None)
     heading = [
-        "What is in the files, as `init` understood it. Look at it with `show`, edit it,",
-        "and `run` it. Lengths in mm, angles in degrees; all keys: resources/docs/recipe.md",
+        "`init` found this in the files. Check it with `show`, edit it,",
+        "then `run` it. Lengths in mm, angles in degrees; all keys: resources/docs/recipe.md",
     ]
     remarks = [" ".join(entry.remark.split()) for entry in entries]
     keys = [
@@ -146,14 +146,14 @@ def _keys(entries: list[Entry], parts: Parts, found: Findings) -> list[Key]:
     ]
     is_assembly = len(parts.meshes) > 1
     if is_assembly:
-        text = "the part that you drag; this one touches most of the others"
+        text = "the part that you move; it touches most of the other parts"
         keys.append(Key([text], "primary", primary))
     if primary is not None:
         keys += _ends(primary, parts, found)
     keys.append(Key([f"found: {_counts(found.features, USUAL_FEATURES)}"], "features", "auto"))
     if is_assembly:
         number = counted(len(found.contacts), "place", "places")
-        text = f"found: {number} where parts touch, up to {found.gap:.3g} mm apart"
+        text = f"found: {number}; the gap is at most {found.gap:.3g} mm"
         keys.append(Key([text], "contacts", "auto"))
     return keys
 
@@ -201,14 +201,17 @@ def _ends(part: str, parts: Parts, found: Findings) -> list[Key]:
     ends = [_End(mesh, axis, share) for axis in axes for share in (_END, _SMALL_END)]
     good = [end for end in ends if not any(end.tears(body) for body in bodies)]
     if not good:
-        what = f'a rigid shape of "{part}", such as a rib, reaches from each end to the other'
-        todo = "write a recipe by hand that fixes and moves places which no rib joins"
+        what = f'a rigid shape of "{part}", such as a rib, connects both ends'
+        todo = "write a recipe by hand, with a fixed region and a handle that no rib connects"
         raise RecipeError([Fault(part, what, todo)])
     end = good[0]
     shift = np.zeros(3)
     flattest = min(set(range(3)) - {end.axis}, key=lambda k: float(size[k]))
     shift[flattest] = _LIFT * end.length
-    text = f"the two ends along {'xyz'[end.axis]}, {end.length:.4g} mm apart: one stays, one moves"
+    text = (
+        f"the two ends along {'xyz'[end.axis]}, {end.length:.4g} mm apart: one "
+        "is fixed, one moves"
+    )
     handle = {"name": "end", "part": part, "where": end.half_space(1.0)}
     return [
         Key([text], "fixed", [{"part": part, "where": end.half_space(-1.0)}]),

@@ -15,6 +15,7 @@ from .answer import Answer
 from .arrays import Floats, Ints
 from .preprocessed import Preprocessed
 from .strain import areas, curvature_changes, principal_stretches
+from .words import energy
 
 _MOST_PLACES = 10
 _APART = 0.05  # Share of the size: minimum distance between listed places.
@@ -79,8 +80,8 @@ def stretch_words(entry: dict[str, Any]) -> Iterator[str]:
     steel, stretch, name = entry["steel"], entry["stretch"], entry["name"]
     if steel["from"] == "a hundredth of the size":
         yield (
-            f'"{name}" is bent as a sheet of {steel["thickness"]:.3g} mm, a hundredth of its '
-            'size: give its "thickness"'
+            f'"{name}" bends as a sheet of {steel["thickness"]:.3g} mm, a hundredth '
+            'of its size: give its "thickness"'
         )
     if stretch is None:
         return
@@ -88,9 +89,9 @@ def stretch_words(entry: dict[str, Any]) -> Iterator[str]:
     if bend is not None and bend["over_thickness"] < _GENTLE:
         place = ", ".join(f"{x:.4g}" for x in bend["place"])
         yield (
-            f'"{name}" is bent most to a radius of {bend["radius"]:.3g} mm, '
-            f'{bend["over_thickness"]:.3g} times its thickness, at ({place}); let go, it springs '
-            f'back with {stretch["springs_back"]:.3g} mJ'
+            f'"{name}" bends most to a radius of {bend["radius"]:.3g} mm, '
+            f"{bend['over_thickness']:.3g} times its thickness, at ({place}); it "
+            f"stores {energy(stretch['springs_back'])} of elastic energy"
         )
     if stretch["largest"] < _TOLD:
         return

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+_NOISE = 1e-9  # mm
+
 
 def counted(number: int, one: str, many: str) -> str:
     """Return a count with its noun, such as `1 vertex stands` or `2 vertices stand`."""
@@ -23,13 +25,26 @@ def folds(number: int, where: str = "") -> str:
     return f"{number} {thing}{where} {does} over"
 
 
+def energy(millijoules: float) -> str:
+    """Return an energy with the unit that fits it: mJ, J or kJ."""
+    for unit, size in (("kJ", 1e6), ("J", 1e3)):
+        if abs(millijoules) >= size:
+            return f"{millijoules / size:.3g} {unit}"
+    return f"{millijoules:.3g} mJ"
+
+
+def tidy(number: float) -> str:
+    """Return a length in mm as text; rounding noise becomes 0."""
+    return f"{0.0 if abs(number) < _NOISE else number:.6g}"
+
+
 def at_place(place: Iterable[float]) -> str:
     """Return a position in mm as `(1.5, 20, -3)`."""
-    return "({})".format(", ".join(f"{x + 0.0:.6g}" for x in place))
+    return "({})".format(", ".join(map(tidy, place)))
 
 
 def preparation(done: Mapping[str, int]) -> str:
     """Summarise the mesh preparation from the counts of the report."""
     welded = counted(done["welded"], "vertex", "vertices")
     removed = counted(done["removed"], "triangle", "triangles")
-    return f"{welded} welded, {removed} removed, {done['split']} cut, {done['turned']} turned"
+    return f"{welded} merged, {removed} removed, {done['split']} cut, {done['turned']} reoriented"

@@ -128,12 +128,10 @@ void check_propagation(const Assembly& assembly)
     const Propagation& propagation = assembly.propagation;
     if (propagation.type == PropagationType::whole
         && (assembly.energy == surface::Energy::steel || assembly.is_refined))
-        throw InvalidInput(
-            "parts that are solved as a whole cannot be of the energy 'steel', nor refined, which "
-            "goes part by part",
-            "take the propagation 'local', or leave that out");
+        throw InvalidInput("the propagation 'whole' supports neither the energy 'steel' nor refine",
+                           "use the propagation 'local', or leave those out");
     if (propagation.levels < 1 || propagation.levels > 5)
-        throw InvalidInput("the control meshes' levels must be from 1 to 5, not "
+        throw InvalidInput("a control mesh has 1 to 5 levels, not "
                            + std::to_string(propagation.levels));
     // Chosen: beyond, the smoothness or the fit would be lost in rounding.
     if (!(propagation.smoothness >= 1e-12 && propagation.smoothness <= 1e6))

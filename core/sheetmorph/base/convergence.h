@@ -32,15 +32,16 @@ struct Convergence
             *this = other;
     }
 
-    //! "the turns of form features have not settled after 100 rounds (the last still changed 0.02
-    //! radians)"; empty if the iteration has converged.
+    //! "the rotations of form features did not converge in 100 iterations (the last one still
+    //! changed 0.02 radians)"; empty if the iteration has converged.
     std::string sentence() const
     {
         std::ostringstream text;
         text.precision(2);
         if (!is_converged)
-            text << what << " have not settled after " << rounds
-                 << " rounds (the last still changed " << miss << " " << unit << ")";
+            text << what << " did not converge in " << rounds
+                 << (rounds == 1 ? " iteration" : " iterations") << " (the last one still changed "
+                 << miss << " " << unit << ")";
         return text.str();
     }
 };

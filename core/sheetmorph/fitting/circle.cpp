@@ -100,7 +100,7 @@ CircleFit fit_circle(const Points& points)
     const PlanePoints flat = offsets * frame.leftCols<2>() / scale;
     Stadium circle = algebraic_circle(flat);
     CircleFit fit;
-    fit.convergence = fit_stadium(flat, {"the circle's place and radius"}, circle);
+    fit.convergence = fit_stadium(flat, {"the circle's position and radius"}, circle);
     fit.convergence.miss *= circle.radius * scale;
     fit.centre = centroid.transpose() + frame.leftCols<2>() * circle.centre * scale;
     fit.axis = oriented_axis(frame.col(2), offsets);

@@ -40,7 +40,7 @@ public:
             if (limits_.task != nullptr)
                 progress.report(
                     static_cast<double>(found.rounds) / limits_.most_rounds,
-                    std::string(limits_.task) + ": round " + std::to_string(found.rounds + 1));
+                    std::string(limits_.task) + " step " + std::to_string(found.rounds + 1));
             found.is_converged = false;
             goes_on = round(found);
         }

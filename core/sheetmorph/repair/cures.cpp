@@ -366,9 +366,9 @@ CuredMesh cured(const mesh::TriangleMesh& mesh, double tolerance, int most_round
         found.welded += places.first[i] != static_cast<int>(i);
     Facets facets = sound_facets(mesh, places.first, tolerance);
     if (facets.empty())
-        throw InvalidInput("no triangle is higher than the tolerance of the weld, "
+        throw InvalidInput("every triangle is lower than the merge tolerance, "
                                + std::to_string(tolerance) + " mm",
-                           "give a smaller one");
+                           "give a smaller tolerance");
     found.removed = mesh.triangle_count() - static_cast<int>(facets.size());
     Convergence& cuts = found.convergence = {"the cuts at T-junctions", false, 0, 0.0, "triangles"};
     for (; cuts.rounds < most_rounds && !cuts.is_converged; ++cuts.rounds)

@@ -11,10 +11,11 @@ namespace
 TEST(Convergence, SaysWhatDidNotSettleAndHowFarItGot)
 {
     EXPECT_EQ(Convergence{}.sentence(), "");
-    const Convergence ended{"the turns of form features", false, 100, 0.0234, "radians"};
-    EXPECT_EQ(ended.sentence(),
-              "the turns of form features have not settled after 100 rounds (the last still "
-              "changed 0.023 radians)");
+    const Convergence ended{"the rotations of form features", false, 100, 0.0234, "radians"};
+    EXPECT_EQ(
+        ended.sentence(),
+        "the rotations of form features did not converge in 100 iterations (the last one still "
+        "changed 0.023 radians)");
 }
 
 TEST(Convergence, OfTwoTheOneThatDidNotSettleIsTold)

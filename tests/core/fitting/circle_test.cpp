@@ -124,7 +124,7 @@ TEST(Circle, TellsWhenItDidNotSettle)
     EXPECT_FALSE(lost.convergence.is_converged);
     EXPECT_EQ(lost.convergence.rounds, 100);
     EXPECT_GT(lost.convergence.miss, 1e-9 * lost.radius);
-    EXPECT_EQ(lost.convergence.sentence().find("the circle's place and radius have not settled"),
+    EXPECT_EQ(lost.convergence.sentence().find("the circle's position and radius did not converge"),
               0U);
 }
 

@@ -72,7 +72,7 @@ TEST(Cures, TellWhenCutsWereLeft)
     EXPECT_FALSE(ended.convergence.is_converged);
     EXPECT_EQ(ended.convergence.miss, ended.split);
     EXPECT_EQ(ended.convergence.sentence(),
-              "the cuts at T-junctions have not settled after 1 rounds (the last still changed "
+              "the cuts at T-junctions did not converge in 1 iteration (the last one still changed "
                   + std::to_string(ended.split) + " triangles)");
 }
 

@@ -185,9 +185,7 @@ def reported(error: Exception | str) -> str:
     """
     sentence = str(faults.fault_of(error))
     if not is_foreseen(error):
-        text = translate(
-            "SheetMorph_actions", "This is a mistake of the program ({0}). Please report it."
-        )
+        text = translate("SheetMorph_actions", "SheetMorph has a bug ({0}). Please report it.")
         sentence = text.format(f"{type(error).__name__}: {sentence}")
         App.Console.PrintError("".join(traceback.format_exception(error)))
     App.Console.PrintError(f"SheetMorph: {sentence}\n")
@@ -211,7 +209,7 @@ def followed(title: str):
     Raises Cancelled if the user cancels.
     """
     progress = Progress(title)
-    cancelled = Cancelled(translate("SheetMorph_actions", "Cancelled; nothing was changed."))
+    cancelled = Cancelled(translate("SheetMorph_actions", "Cancelled. Nothing was changed."))
     try:
         with waiting(), reporting.told_to(progress):
             yield

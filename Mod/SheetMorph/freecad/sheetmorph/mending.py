@@ -36,7 +36,7 @@ def cure_of(assembly, fault):
     regions = [obj for obj in found if kind(obj) == REGION]
     for other, region in pairs(regions) if fault.code in (OVERLAP, TORN) else ():
         if shares_some(region, other):
-            title = translate("SheetMorph_panels", "Take out of “{0}”").format(region.Label)
+            title = translate("SheetMorph_panels", "Remove from “{0}”").format(region.Label)
             return title, call("take_out", name(region), name(other))
     for contact in [obj for obj in found if kind(obj) == CONTACT and obj.Active]:
         title = translate("SheetMorph_panels", "Do not use “{0}”").format(contact.Label)

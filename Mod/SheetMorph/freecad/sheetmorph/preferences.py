@@ -24,6 +24,7 @@ DEFAULTS: dict[str, bool | int | float] = {
     "OpenMouse": False,
     "OpenShow": False,
     "OpenTolerances": False,
+    "OpenSelector": False,
 }
 """Entries with their default values, in mm and degrees."""
 

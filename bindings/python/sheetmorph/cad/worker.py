@@ -29,7 +29,7 @@ PROGRAM = Path(__file__).resolve().parent.parent / (
 _NOT_STARTED = 127  # what the loader of programs answers if a library is missing
 # A process takes some 30 MB; a model whose worker had to go is read again when it is written.
 MOST = 16
-_TRY = "try it again; if it ends again, repair the shape in the CAD system"
+_TRY = "try again; if it ends again, repair the shape in the CAD system"
 
 
 class _Lost(Exception):

@@ -216,10 +216,10 @@ def _places_in(source: Source, folder: Path) -> dict[str, Floats]:
     place = folder / source.file.output_name
     if not place.is_file():
         todo = "name the folder that a run of this recipe wrote"
-        raise FileError(place, "there is no such file", todo)
+        raise FileError(place, "the file does not exist", todo)
     stored = source.file.stored_positions(place)
     if stored.shape != source.file.mesh.points.shape:
-        what = f"it has {len(stored)} vertices, the part {len(source.file.mesh.points)}"
+        what = f"it has {len(stored)} vertices, but the part has {len(source.file.mesh.points)}"
         raise FileError(place, what, "name the folder that a run of this recipe wrote")
     places = source.placement.placed(stored)
     return {name: places[vertices] for name, vertices in source.members.items()}
@@ -274,8 +274,9 @@ def _penetrations(written: dict[str, Written]) -> list[dict[str, Any]]:
 def _failures(entry: dict[str, Any], criteria: Criteria) -> list[str]:
     """Return a sentence for every criterion that the run misses."""
     found = [
-        f"{one['name']} on {one['part']} lost its form by {one['edge_error']:.3g} mm, "
-        f"{one['allowed']:.3g} mm is what its file may cost"
+        f"{one['name']} on {one['part']} lost its shape by "
+        f"{one['edge_error']:.3g} mm (allowed by the file format: "
+        f"{one['allowed']:.3g} mm)"
         for one in entry["features"]
         if one["allowed"] is not None and one["edge_error"] > one["allowed"]
     ]
@@ -285,10 +286,17 @@ def _failures(entry: dict[str, Any], criteria: Criteria) -> list[str]:
         if part["newly_failing"] > criteria.allowed:
             count = part["newly_failing"]
             where, fails = f" of {part['name']} newly", ("fails", "fail")[count != 1]
-            found.append(f"{counted(count, 'element', 'elements')}{where} {fails} the criteria")
+            failing = [
+                f"{one['measure']} {one['failing_after']}, {one['failing_before']} before"
+                for one in part["quality"]
+                if one["failing_after"] > one["failing_before"]
+            ]
+            what = f" ({'; '.join(failing)})" if failing else ""
+            elements = counted(count, "element", "elements")
+            found.append(f"{elements}{where} {fails} the criteria {criteria.name}{what}")
     for one in entry["penetrations"]:
         found.append(
-            f"{one['part']} newly stands {one['depth']:.3g} mm in {one['into']} "
+            f"{one['part']} newly penetrates {one['into']} by {one['depth']:.3g} mm "
             f"({counted(one['vertices'], 'vertex', 'vertices')})"
         )
     for one in entry["contacts"]:

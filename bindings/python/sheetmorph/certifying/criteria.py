@@ -54,9 +54,9 @@ def read_criteria(name: str | Path | None) -> Criteria:
         todo = f"name a file, or one of the sets {', '.join(sets)}"
         raise FileError(path, f"cannot be read ({error.strerror or error})", todo) from None
     except ValueError as error:
-        raise FileError(path, f"it is no JSON ({error})", "correct it") from None
+        raise FileError(path, f"it is not JSON ({error})", "correct it") from None
     if not isinstance(found, dict):
-        raise FileError(path, "criteria are an object", 'write {"elements": {...}}')
+        raise FileError(path, "criteria must be an object", 'write {"elements": {...}}')
     base = found.get("set", "")
     if base and base not in sets:
         raise FileError(path, f'there is no set "{base}"', f"use one of {', '.join(sets)}")
@@ -83,7 +83,7 @@ def _criteria(path: Path, name: str, found: dict[str, Any]) -> Criteria:
     gap = found.get("contacts", {}).get("gap_change")
     for value in (target, gap, allowed):
         if value is not None and not (_is_number(value) and value >= 0):
-            raise FileError(path, f"{value!r} is no number of 0 or more", "write a number")
+            raise FileError(path, f"{value!r} is not a number of 0 or more", "write a number")
     return Criteria(name, elements, target, int(allowed), gap)
 
 

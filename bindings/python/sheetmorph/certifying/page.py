@@ -54,7 +54,7 @@ def page_of(certificate: dict[str, Any], written: dict[str, Written]) -> str:
     word = "passed" if certificate["passed"] else "failed"
     parts = [
         f"<h1>Certificate: <span class='{word}'>{word}</span></h1>",
-        f"<p>Measured on the files as they were read again, by the criteria "
+        "<p>Measured on the written files, read back, by the criteria "
         f"<b>{_text(certificate['criteria']['name'])}</b>.</p>",
     ]
     if certificate["failures"]:
@@ -144,7 +144,7 @@ def _deck(deck: dict[str, Any]) -> str:
              for s in deck["stale"]]  # fmt: skip
     heads = ["card", "why", "how many", "lines"]
     tables = [_table(f"Deck {deck['file']}", ["what", ""], rows), _welds(deck)]
-    return "".join([*tables, _table(f"Stale in {deck['file']}", heads, stale)])
+    return "".join([*tables, _table(f"Out of date in {deck['file']}", heads, stale)])
 
 
 def _welds(deck: dict[str, Any]) -> str:

@@ -43,7 +43,9 @@ def repaired(result: Result, sources: list[Source], criteria: str | Path) -> Res
     decks = [(s, s.file) for s in sources if isinstance(s.file, DeckFile)]
     if not decks:
         what = "no part of the recipe is a deck"
-        raise RecipeError([Fault("repair", what, "leave it out: only elements of decks are slid")])
+        raise RecipeError(
+            [Fault("repair", what, "leave it out: only elements of decks are repaired")]
+        )
     positions, told = dict(result.positions), []
     for source, file in decks:
         for name, vertices in source.members.items():

@@ -66,7 +66,7 @@ def read_deck(path: Path, opener: Opener | None = None) -> Deck:
     try:
         deck = reader(path, checked)
     except RecursionError:
-        what = "cards refer to one another in a chain that does not end"
+        what = "cards refer to one another in an endless chain"
         raise FileError(path, what, "correct the deck") from None
     return deck
 

@@ -33,16 +33,16 @@ _FILLED = frozenset(
 )
 _MADE = ("NGEN", "NFILL")
 _STALE = {
-    "ORIENTATION": "local directions by coordinates are kept as they are",
-    "NODAL THICKNESS": "the thickness at its nodes is kept as it is",
-    "NORMAL": "normals by components are kept as they are",
-    "TRANSFORM": "local directions by coordinates are kept as they are",
-    "INITIAL CONDITIONS": "an initial state of the shape before",
+    "ORIENTATION": "local directions by coordinates stay unchanged",
+    "NODAL THICKNESS": "the thickness at its nodes stays unchanged",
+    "NORMAL": "normals by components stay unchanged",
+    "TRANSFORM": "local directions by coordinates stay unchanged",
+    "INITIAL CONDITIONS": "an initial state of the undeformed shape",
     "TIE": "the solver may shift tied nodes onto the other surface when it starts (ADJUST)",
-    "IMPERFECTION": "an imperfection of the shape before",
+    "IMPERFECTION": "an imperfection of the undeformed shape",
     "MASS FLOW": "",
-    "ROTARY INERTIA": "its inertia is kept as it is",
-    "DISTRIBUTION": "a mapped field is kept as it is",
+    "ROTARY INERTIA": "its inertia stays unchanged",
+    "DISTRIBUTION": "a mapped field stays unchanged",
 }
 
 
@@ -101,7 +101,7 @@ class _Reader:
         for part in self._parts:
             if part.blocks and not part.placed:
                 file = self.raw.blocks[part.blocks[0]].file
-                self.raw.miss(file, f"no *INSTANCE places the part {part.name}")
+                self.raw.miss(file, f"no *INSTANCE uses the part {part.name}")
         self._sets.finish()
         owners = self._number_parts()
         self._names.finish(self.raw, owners, self._give_sections())
@@ -140,8 +140,8 @@ class _Reader:
             self._system = self._define(lines, keyword)
         elif name in _MADE:
             place = f"{lines.text.name}, line {keyword.line + 1}"
-            told = f"{place}: *{name} makes nodes of others; they are not written and follow"
-            self.raw.notes.append(f"{told} only as the solver makes them")
+            told = f"{place}: *{name} generates nodes; they are not written and follow"
+            self.raw.notes.append(f"{told} only as the solver generates them")
         elif note_placing(self.raw, name, (lines.file, keyword.line)):
             pass
         elif name in ("PART", "END PART", "INSTANCE", "END INSTANCE"):
@@ -362,7 +362,7 @@ class _Reader:
             raise self._no_number(lines, int(rows[np.flatnonzero(~sound)[0]]))
 
     def _no_number(self, lines: AbaqusLines, line: int) -> FileError:
-        return self.raw.error((lines.file, line), "*ELEMENT: what is here is no whole number")
+        return self.raw.error((lines.file, line), "*ELEMENT: an entry is not a whole number")
 
     def _loose(self, lines: AbaqusLines, rows: Ints, count: int) -> list[tuple[Ints, Ints]]:
         """Return elements that span several lines; one continues until it has all nodes."""
@@ -412,7 +412,7 @@ class _Reader:
                 if shift:
                     blocks[k] = replace(blocks[k], ids=blocks[k].ids + shift)
                 if part.placed > 1:
-                    told = f"its part {part.name} stands in {part.placed} places"
+                    told = f"its part {part.name} has {part.placed} instances"
                     self.raw.locked |= dict.fromkeys(blocks[k].ids.tolist(), told)
             for k in part.elements if shift else ():
                 old = self.raw.elements[k]

@@ -130,7 +130,7 @@ class Deck:
         row = int(self.find(np.array([node]))[0])
         if row < 0:
             raise FrameError(
-                0, f"a coordinate system is defined by node {node}, which is not there"
+                0, f"a coordinate system is defined by node {node}, which does not exist"
             )
         return row
 
@@ -363,6 +363,6 @@ def missing_nodes(deck: Deck, elements: Elements) -> FileError | None:
         return None
     row = int(rows[0])
     text = deck.texts[elements.file]
-    what = f"{elements.name} {elements.ids[row]} names nodes that are not there: "
+    what = f"{elements.name} {elements.ids[row]} names nodes that do not exist: "
     what += list_ids(wanted[row][lost[row]].tolist())
     return text.error(int(elements.lines[row]), what, "add the nodes, or the file that has them")

@@ -159,7 +159,7 @@ class _Reader:
             if not _is_plain(cards, section):
                 remember_placing(self.raw, section.name, (cards.file, section.line))
         elif option:
-            what = f"*{section.name}: what it includes is not read, and stays as it is"
+            what = f"*{section.name}: its included file is not read and stays unchanged"
             self.raw.notes.append(f"{cards.text.name}, line {section.line + 1}: {what}")
             return
         for line, name in names:
@@ -204,7 +204,7 @@ class _Reader:
         for shown, _, _ in fields[1:4]:
             value = parse_real(cards.value(shown))
             if value is None:
-                what = f'node {number}: "{shown.strip()}" is not a number that is known'
+                what = f'node {number}: "{shown.strip()}" is not a known number'
                 raise self.raw.error((cards.file, line), what, "give the parameter a number")
             values.append(value)
             if "&" in shown:

@@ -53,7 +53,10 @@ def add_elements(cards: DynaCards, section: Section, width: int, _real: int) -> 
 def _heads(cards: DynaCards, section: Section, rows: Ints, each: int) -> Ints:
     """Return the first line of every element with `each` lines."""
     if len(rows) % each:
-        what = f"*{section.name}: {len(rows)} cards are no whole number of elements of {each}"
+        what = (
+            f"*{section.name}: {len(rows)} cards are not a multiple of the {each} "
+            "cards of an element"
+        )
         raise cards.raw.error((cards.file, section.line), what)
     return rows[::each]
 

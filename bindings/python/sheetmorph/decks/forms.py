@@ -57,5 +57,5 @@ def require_form(path: Path, data: bytes, form: str) -> None:
         return
     for other, (called, ending, pattern) in _FORMS.items():
         if other != form and re.search(pattern, data, _FLAGS):
-            what = f"this is {called}, and its name says {_FORMS[form][0]}"
+            what = f"this is {called}, but its name says {_FORMS[form][0]}"
             raise FileError(path, what, f'give it the ending "{ending}"')

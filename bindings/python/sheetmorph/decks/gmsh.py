@@ -74,7 +74,7 @@ def _format(raw: Raw) -> _Format:
         one = text.data[mark.end() : mark.end() + 4]
         order = "<" if one == b"\1\0\0\0" else ">"
         if one not in (b"\1\0\0\0", b"\0\0\0\1"):
-            what = "the order of bytes is not told"
+            what = "the byte order is missing"
             raise raw.error((0, line), what, "export it again")
         if order == ">" or version == 4.0:
             what = "binary files of this kind are not read"
@@ -113,7 +113,7 @@ class _Text:
         for mark in self._text.matches(rb"^\$(NodeData|ElementData|ElementNodeData|Periodic)\b"):
             line = self._text.line_of(mark.start())
             card = f"${mark.group(1).decode()}"
-            self.raw.stale.append(Place(card, 0, 0, line, "values of the shape before"))
+            self.raw.stale.append(Place(card, 0, 0, line, "values of the undeformed shape"))
 
     def _sections(self, name: str) -> list[tuple[int, int]]:
         text, found = self._text, []

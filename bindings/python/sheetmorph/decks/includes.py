@@ -71,7 +71,7 @@ class Included:
     def _found(self, name: str, place: tuple[int, int]) -> Path:
         shown = name.strip()
         if not shown or "\0" in shown:
-            raise self._raw.error(place, "an include names no file", "name one")
+            raise self._raw.error(place, "an INCLUDE names no file", "name one")
         names = _names_of(shown.replace("\\", "/"))
         here = self._raw.texts[place[0]].path.parent
         for name in names:
@@ -79,8 +79,8 @@ class Included:
                 path = folder / name
                 if _is_file(path):
                     return path
-        what = f'the include "{names[0]}" is not there'
-        raise self._raw.error(place, what, "put the file beside the deck, or correct its name")
+        what = f'the include "{names[0]}" does not exist'
+        raise self._raw.error(place, what, "put the file next to the deck, or correct its name")
 
 
 def _names_of(name: str) -> list[str]:
@@ -122,7 +122,7 @@ def output_places(texts: Sequence[DeckText], out: Path) -> list[Path]:
     for text in texts[1:]:
         relative = os.path.relpath(text.path.absolute(), root)
         if relative.startswith("..") or os.path.isabs(relative):
-            what = f"this include of {texts[0].name} lies outside of its folder"
-            raise FileError(text.path, what, "put it into or below the folder of the deck")
+            what = f"this include of {texts[0].name} is outside its folder"
+            raise FileError(text.path, what, "move it into or below the folder of the deck")
         places.append(out.parent / relative)
     return places

@@ -63,9 +63,7 @@ class _Reader:
         self._in_bulk = not begins
         self._file(first)
         if not self._ended:
-            what = (
-                "there is no ENDDATA: if this is not an include of another deck, its end is missing"
-            )
+            what = "there is no ENDDATA: unless another deck includes this file, its end is missing"
             self.raw.miss(0, what)
         for file, text in enumerate(self.raw.texts):
             self._check_last_card(file, text)
@@ -80,7 +78,7 @@ class _Reader:
                 body.split(",")[-1] if "," in body[:10] else body.expandtabs(8)[_LAST : _LAST + 8]
             )
             if last.strip()[:1] in ("+", "*") and (last.strip() or "," in body[:10]):
-                self.raw.miss(file, "the last card goes on in a line that is not there", line)
+                self.raw.miss(file, "the last card has a continuation line that is missing", line)
             return
 
     def deck(self) -> Deck:
@@ -90,7 +88,7 @@ class _Reader:
         if self._generated:
             count = len(self._generated)
             self.raw.notes.append(
-                f"{count} lines make cards out of others (=): the nodes of those stay as they are"
+                f"{count} lines replicate cards (=): the nodes of those stay unchanged"
             )
         return Deck(self.raw, self._frames)
 

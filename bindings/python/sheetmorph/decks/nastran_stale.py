@@ -9,19 +9,19 @@ from .nastran_cards import Card
 _SYSTEM = "a coordinate system by coordinates stays where it is"
 STALE = {
     **{f"CORD2{kind}": _SYSTEM for kind in "RCS"},
-    "CTRIA3": "its material angle or offset is kept as it is",
-    "CQUAD4": "its material angle or offset is kept as it is",
-    "CONM1": "its mass matrix is kept as it is",
-    "CONM2": "its inertia and offset are kept as they are",
-    "CBEAM": "its offsets and orientation are kept as they are",
-    "CBAR": "its offsets and orientation are kept as they are",
-    "ACCEL": "its places are kept as they are",
+    "CTRIA3": "its material angle or offset stays unchanged",
+    "CQUAD4": "its material angle or offset stays unchanged",
+    "CONM1": "its mass matrix stays unchanged",
+    "CONM2": "its inertia and offset stay unchanged",
+    "CBEAM": "its offsets and orientation stay unchanged",
+    "CBAR": "its offsets and orientation stay unchanged",
+    "ACCEL": "its places stay unchanged",
     "TEMPN1": "a mapped field",
     "CAERO1": "its corners are coordinates",
-    "DMIG": "a matrix of the shape before",
-    "DMI": "a matrix of the shape before",
-    "DMIGROT": "a matrix of the shape before",
-    "INITS": "an initial stress of the shape before",
+    "DMIG": "a matrix of the undeformed shape",
+    "DMI": "a matrix of the undeformed shape",
+    "DMIGROT": "a matrix of the undeformed shape",
+    "INITS": "an initial stress of the undeformed shape",
 }
 # First field with data that a moved node makes stale.
 _FROM = {"CTRIA3": 5, "CQUAD4": 6, "CONM2": 4, "CBEAM": 10, "CBAR": 10}

@@ -8,15 +8,15 @@ from .model import Place, Raw
 
 _MOVES = "moves nodes after they are read"
 _MERGES = "merges nodes after they are read"
-_MAKES = "makes nodes of others in other places"
-_ANEW = "moves or numbers anew what it includes"
+_MAKES = "generates nodes from others at other places"
+_ANEW = "moves or renumbers what it includes"
 # For each format the start of a card name, and the action of the solver.
 _REASONS = {
     "LS-DYNA": {
         "NODE_TRANSFORM": _MOVES,
         "NODE_MERGE": _MERGES,
         "NODE_RIGID_SURFACE": "takes nodes from another file",
-        "NODE_SCALAR": "makes nodes without places",
+        "NODE_SCALAR": "generates nodes without positions",
         "PART_MOVE": _MOVES,
         "CONTROL_FORMING_AUTOPOSITION": _MOVES,
         "CONTROL_FORMING_POSITION": _MOVES,
@@ -62,5 +62,8 @@ def require_places(deck: Deck) -> None:
     count = len(deck.raw.placing) - 1
     more = f" ({count} more such card{'s' if count > 1 else ''} in the deck)" if count else ""
     what = f"{card.card} {card.what}{more}: the deck can be copied, its shapes cannot be changed"
-    todo = "let the solver or its pre-processor write the nodes where they end up, without the card"
+    todo = (
+        "write the nodes at their final positions with the solver or its "
+        "pre-processor, without the card"
+    )
     raise deck.texts[card.file].error(card.line, what, todo)

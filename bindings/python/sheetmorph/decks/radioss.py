@@ -22,12 +22,12 @@ from .radioss_table import ALIASES, BLOCKS, ELEMENTS, Field, field, texts
 
 SUFFIXES = (".rad",)
 _STALE = {
-    "INIBRI": "an initial state of the shape before",
-    "INISHE": "an initial state of the shape before",
-    "INISH3": "an initial state of the shape before",
-    "REFSTA": "a reference state of the shape before",
-    "XREF": "a reference geometry of the shape before",
-    "EREF": "a reference geometry of the shape before",
+    "INIBRI": "an initial state of the undeformed shape",
+    "INISHE": "an initial state of the undeformed shape",
+    "INISH3": "an initial state of the undeformed shape",
+    "REFSTA": "a reference state of the undeformed shape",
+    "XREF": "a reference geometry of the undeformed shape",
+    "EREF": "a reference geometry of the undeformed shape",
     "SKEW/FIX": "a system by coordinates stays where it is",
     "FRAME/FIX": "a system by coordinates stays where it is",
     "BOX": "a box by coordinates stays where it is",
@@ -97,7 +97,7 @@ class _Reader:
         text = self.raw.texts[file]
         for line in np.flatnonzero((first[:end] != ord("#")) & (first[:end] != 0)).tolist():
             if text.line(line).strip() and not text.line(line).startswith("//"):
-                what = "this include goes on with a block that begins outside of it"
+                what = "this include continues a block that begins outside it"
                 raise self.raw.error((file, line), what, "put whole blocks into the include")
 
     def _includes(self, file: int, submodels: Submodels) -> Bools:
@@ -191,7 +191,7 @@ class _Reader:
         text = self.raw.texts[file]
         odd = text.first_per_line(ord("&"))[rows] < text.ends[rows]
         if odd.any():
-            what = f"{card}: parameters (&) stand for numbers"
+            what = f"{card}: parameters (&) replace numbers"
             line = int(rows[np.flatnonzero(odd)[0]])
             raise self.raw.error((file, line), what, "write the numbers")
 
@@ -204,7 +204,7 @@ class _Reader:
         places = [*layout["id"], *layout.get("nodes", ()), *layout.get("group", ())]
         each = 1 + max(place.line for place in places)
         if len(rows) % each:
-            what = f"{card}: an element needs {each} lines, and the last one has "
+            what = f"{card}: an element needs {each} lines, but the last one has "
             what += counted(len(rows) % each, "line", "lines")
             raise self.raw.error((file, int(rows[-1])), what, "complete the element")
 

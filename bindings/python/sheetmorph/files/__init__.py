@@ -83,13 +83,13 @@ def read_part(
     if suffix not in _READERS and not is_cad(place):
         raise unknown_format(place, suffixes())
     if not place.is_file():
-        raise FileError(place, "there is no such file", "check the path")
+        raise FileError(place, "the file does not exist", "check the path")
     if is_packed(place):
         return read_packed(place, lambda inner: read_part(inner, meshing, progress))
     if is_cad(place):
         return read_cad(place, meshing, progress)
     if meshing:
-        raise FileError(place, "only CAD files are meshed", "leave the meshing out")
+        raise FileError(place, "only CAD files are meshed", "leave out the mesh sizes")
     return _with_properties(_READERS[suffix](place))
 
 

@@ -125,7 +125,7 @@ class FileSet:
         if not path.exists():
             return
         if is_one_of(path, self.reads):
-            raise FileError(path, "it is read by this command", "name another file")
+            raise FileError(path, "this command also reads it", "name another file")
         if not self._may_replace(path):
             raise OccupiedError(path)
 
@@ -170,11 +170,11 @@ def require_file_place(path: Path) -> None:
     except OSError:  # the path does not exist, or is a broken link
         kind = stat.S_IFREG
     if stat.S_ISDIR(kind):
-        raise FileError(path, "it is a folder", "name a file, or remove the folder")
+        raise FileError(path, "it is a folder", "give a file name, or remove the folder")
     if not stat.S_ISREG(kind):
         raise FileError(path, "it is a device or a pipe", "name a file")
     if path.parent.is_dir() and not os.access(path.parent, os.W_OK | os.X_OK):
-        todo = "change the rights of the folder, or name another one"
+        todo = "change the rights of the folder, or choose another one"
         raise FileError(path, "its folder cannot be written", todo)
 
 

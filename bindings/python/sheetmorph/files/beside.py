@@ -25,8 +25,8 @@ def require_unread(path: Path, replaced: Collection[Path]) -> None:
         if recipe in replaced or _is_temporary(recipe):
             continue
         if recipe.suffix.lower() in (".json", ".toml") and place in _read_by(recipe):
-            what = f'the recipe "{recipe.name}" beside it reads this file'
-            raise FileError(path, what, "name another folder")
+            what = f'the recipe "{recipe.name}" next to it reads this file'
+            raise FileError(path, what, "choose another folder")
 
 
 def _is_temporary(path: Path) -> bool:

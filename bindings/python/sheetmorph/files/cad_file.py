@@ -172,19 +172,23 @@ def _notes(model: Any) -> list[str]:
     deviation = max(part.deviation for part in model.parts)
     angle = math.degrees(model.angle)
     notes = [
-        f"meshed with edges up to {model.edge:.6g} mm, deflection {model.deflection:.6g} mm and "
-        f"angle {angle:.4g} degrees; at most {deviation:.2g} mm from the CAD surfaces; written as "
-        "OBJ"
+        f"meshed with edges up to {model.edge:.6g} mm, deflection "
+        f"{model.deflection:.6g} mm and angle {angle:.4g} degrees; at most "
+        f"{deviation:.2g} mm from the CAD surfaces"
     ]
     for part in model.parts:
         if part.healed:
             why, within = "; ".join(part.healed), part.healed_within
             notes.append(
-                f"{part.name} was no valid shape; it was healed within {within:.2g} mm: {why}"
+                f"{part.name} was not a valid shape; it was healed within {within:.2g} "
+                f"mm: {why}"
             )
         if part.faults:
             faults = "; ".join(part.faults)
-            notes.append(f"{part.name} is no valid shape, so no CAD file is made of it: {faults}")
+            notes.append(
+                f"{part.name} is not a valid shape, so it is not written as a CAD file: "
+                f"{faults}"
+            )
         if part.unsettled:
             notes.append(f"{part.name}: {part.unsettled}")
     return notes
@@ -203,10 +207,10 @@ def _missing(model: Any) -> list[str]:
         faces = counted(model.lost_faces, "face of the file is", "faces of the file are")
         where = f", of {', '.join(model.lost_in)}" if model.lost_in else ""
         missing.append(
-            f"{faces} missing{where}: OpenCASCADE cannot read what it says; export it again"
+            f"{faces} missing{where}: OpenCASCADE cannot read them; export the file again"
         )
     for part in model.parts:
         if part.skipped_faces:
             faces = ", ".join(str(face) for face in part.skipped_faces)
-            missing.append(f"faces {faces} of {part.name} are broken and left out")
+            missing.append(f"faces {faces} of {part.name} are broken and were skipped")
     return missing

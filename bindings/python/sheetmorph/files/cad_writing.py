@@ -77,5 +77,5 @@ def write_model(
     try:
         return write_cad(model, arrays, str(path.absolute()), wanted, progress=progress)
     except ValueError as error:
-        fault = fault_of(error, "look at the part")
+        fault = fault_of(error, "check the part")
         raise FileError(path, fault.what, fault.todo) from None

@@ -26,7 +26,7 @@ from .part_file import PartFile
 
 SUFFIXES = suffixes()
 _SHOWN = 20
-_KEEP = ", what rounding explains: make a form feature of its nodes, which keeps them rigid"
+_KEEP = ", which rounding explains: mark its nodes as a form feature, which keeps them rigid"
 
 
 class DeckFile(PartFile):
@@ -122,9 +122,9 @@ class DeckFile(PartFile):
         if len(stuck):
             file, line = self.deck.place_of(int(stuck[0]))
             ids = self.deck.ids[stuck]
-            what = f"nodes {list_ids(ids.tolist())} moved, and cannot be written: "
+            what = f"the moved nodes {list_ids(ids.tolist())} cannot be written: "
             what += self.deck.raw.locked[int(ids[0])]
-            todo = "write their coordinates as numbers, or keep them where they are"
+            todo = "write their coordinates as numbers, or do not move them"
             raise self.deck.texts[file].error(line, what, todo)
 
     @property
@@ -263,8 +263,8 @@ def _state_of(places: Iterable[Path]) -> list[tuple[int, ...]]:
 def _broken_text(joint: Mapping[str, Any]) -> str:
     name = f"{joint['card']} {joint['id']}" if joint["id"] else joint["card"]
     return (
-        f"{joint['file']}, line {joint['line']}: {name} came apart by {joint['change']:.3g} mm, "
-        f"more than {joint['limit']:.3g} mm"
+        f"{joint['file']}, line {joint['line']}: {name} came apart by "
+        f"{joint['change']:.3g} mm (allowed {joint['limit']:.3g} mm)"
     )
 
 

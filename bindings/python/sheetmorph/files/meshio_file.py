@@ -39,13 +39,15 @@ class MeshioFile(PartFile):
         points = np.asarray(self._mesh.points)
         precision = "float32" if points.dtype == np.float32 else "double"
         if points.ndim != 2 or points.shape[1] not in (2, 3):
-            raise FileError(path, "it holds no points in space", "export it as VTU or PLY")
+            raise FileError(path, "it has no points in space", "export it as VTU or PLY")
         space = np.zeros((len(points), 3))
         space[:, : points.shape[1]] = points
         super().__init__(path, _part_mesh(path, space, self._mesh.cells), precision)
         if path.suffix.lower() == ".mesh" and not read_bytes(path).rstrip().endswith(b"End"):
             self.missing.append("the closing End is missing: check that the file is complete")
-        self.notes.append("written through meshio: comments and sections unknown to it are lost")
+        self.notes.append(
+            "written through meshio, which drops comments and sections that it does not know"
+        )
 
     def save(self, path: Path, positions: Floats) -> None:
         import meshio

@@ -36,7 +36,7 @@ def _logical_lines(source: Source) -> bytes:
         if not found.startswith(b"\\"):
             return found
         if _NEXT.match(source.data, match.end()):
-            what = "a line is continued, and what follows is a statement of its own"
+            what = "a line ends with a backslash, but the next line is a new statement"
             raise source.error(match.start(), what, "remove the backslash")
         return b" " * len(found)
 
@@ -147,7 +147,7 @@ class _Rows:
         Raises FileError.
         """
         if self._has_plain and self._weighted is not None:
-            what = "a vertex with a fourth number that is not 1, which other vertices lack"
+            what = "a vertex has a fourth number that is not 1, and other vertices have none"
             raise self._source.error(self._weighted, what)
 
 
@@ -160,7 +160,7 @@ def _missing(source: Source, mesh: PartMesh, unread: Counter[bytes]) -> list[str
     found = []
     for word, count in sorted(unread.items()):
         lines = counted(count, "statement", "statements")
-        found.append(f'{lines} "{word.decode()}" cannot be read: the mesh lacks what they describe')
+        found.append(f'{lines} "{word.decode()}" are not supported and were skipped')
     unused = len(mesh.points) - len(np.unique(mesh.triangles))
     if unused:
         text = counted(unused, "vertex has", "vertices have")

@@ -54,7 +54,7 @@ class OffFile(TextPartFile):
                 offsets.append(tokens[0].start())
         more = next(lines, None)
         if more is not None:
-            what = f"the file goes on after its {vertex_count} vertices and {face_count} faces"
+            what = f"the file continues after its {vertex_count} vertices and {face_count} faces"
             raise source.error(more[0].start(), what, "correct the counts in the header")
         if not faces:
             raise source.error(0, "the file has no faces", "export a surface mesh")

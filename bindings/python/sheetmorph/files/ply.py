@@ -55,7 +55,7 @@ class AsciiPlyFile(TextPartFile):
                     faces.append(_ascii_face(source, element, tokens))
         more = next(lines, None)
         if more is not None:
-            what = "the file goes on after all elements of its header"
+            what = "the file continues after all elements of its header"
             raise source.error(more[0].start(), what, "correct the counts in the header")
         check_faces(source, faces, vertex.size)
         text = source.data

@@ -109,7 +109,7 @@ def _add_property(source: Source, elements: list[Element], words: list[bytes], o
     is_list = names[:1] == ["list"]
     types = names[1:3] if is_list else names[:1]
     if not elements or len(names) != len(types) + 1 + is_list:
-        raise source.error(offset, "a property that cannot be understood")
+        raise source.error(offset, "a property is not valid")
     if any(kind not in _TYPES for kind in types):
         raise source.error(offset, f"unknown type in property {show(names[-1].encode())}")
     count = _TYPES[types[0]] if is_list else ""

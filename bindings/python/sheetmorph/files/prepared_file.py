@@ -52,7 +52,7 @@ class PreparedFile(PartFile):
 
 
 def _notes(done: dict[str, Any]) -> list[str]:
-    notes = [f"prepared: {preparation(done)}; written as OBJ"]
+    notes = [f"prepared: {preparation(done)}"]
     fresh = done["remesh"]
     if fresh:
         notes.append(
@@ -61,8 +61,8 @@ def _notes(done: dict[str, Any]) -> list[str]:
         )
     if fresh and fresh["least_edge"]:
         notes.append(
-            f"edges on bends and beside rims were kept above {fresh['least_edge']:.2g} mm, for "
-            "shorter ones the mesh would be too large for its file; remesh with a shorter edge"
+            f"edges on bends and next to rims were kept above {fresh['least_edge']:.2g} mm to "
+            "limit the size of the mesh; remesh with a shorter edge for finer ones"
         )
     if done["unsettled"]:
         notes.append(done["unsettled"])

@@ -41,5 +41,5 @@ def _first_of(pipe: int, path: str | Path) -> bytes:
         if first:
             return first
         if time.monotonic() > deadline:
-            raise OSError(errno.EPIPE, "it is a pipe that nobody writes to", str(path))
+            raise OSError(errno.EPIPE, "it is a pipe without a writer", str(path))
         time.sleep(0.02)

@@ -27,9 +27,7 @@ _FACET = re.compile(
 _NAME_LINE = re.compile(rb"\s*((end)?solid\b.*)?", re.IGNORECASE)
 # A file may lack the attribute of its last facet, which does not affect the shape.
 _ATTRIBUTE_SIZE = 2
-_NO_END = (
-    "the closing endsolid is missing: check that the {0} facets that the file has are all of them"
-)
+_NO_END = "the closing endsolid is missing: check that its {0} facets are all there"
 
 
 @dataclass(frozen=True)

@@ -65,11 +65,11 @@ class Source:
             raise found.error(0, "the file is text in UTF-16", "save it as UTF-8")
         bad = _NO_TEXT.search(found.data)
         if bad and bad.group() == _MARK:
-            what = "a byte order mark stands in the middle of the file"
-            todo = "remove it; files that were put together have one at every seam"
+            what = "there is a byte order mark in the middle of the file"
+            todo = "remove it; concatenated files have one at every seam"
             raise found.error(bad.start(), what, todo)
         if bad:
-            raise found.error(bad.start(), "the text has a byte that is 0")
+            raise found.error(bad.start(), "the text contains a zero byte")
         return found
 
     @property

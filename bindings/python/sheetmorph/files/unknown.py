@@ -32,21 +32,21 @@ _WAYS = (
     ),
     (
         (".med", ".rmed", ".mmed"),
-        "a MED file, which libmedc writes anew as a whole and not in its own bytes",
-        "make a mesh of Gmsh of it: `gmsh -0 -format msh22 -o part.msh FILE`",
+        "a MED file, which SheetMorph cannot write back unchanged",
+        "convert it to a Gmsh mesh: `gmsh -0 -format msh22 -o part.msh FILE`",
     ),
     (_PACKED, "an archive", "unpack it first; of packed files only .gz is read"),
-    (_DRAWINGS, "a drawing", "make a solid or a sheet of it in CAD and export STEP"),
+    (_DRAWINGS, "a drawing", "make a solid or a sheet from it in CAD and export STEP"),
 )
 
 
 def unknown_format(path: Path, known: Sequence[str]) -> FileError:
     """Return the error for a file that SheetMorph cannot read."""
     if path.is_dir():
-        return FileError(path, "it is a folder", "name a file in it")
+        return FileError(path, "it is a folder", "give a file in it")
     suffix = Path(path.stem).suffix if path.suffix.lower() == ".gz" else path.suffix
     for suffixes, what, todo in _WAYS:
         if suffix.lower() in suffixes:
             return FileError(path, f'unknown format "{suffix}", {what}', todo)
-    todo = f"use one of {', '.join(known)}; they may be packed as .gz"
+    todo = f"use one of {', '.join(known)}; each can be packed as .gz"
     return FileError(path, f'unknown format "{suffix}"', todo)

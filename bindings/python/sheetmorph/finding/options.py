@@ -18,6 +18,9 @@ KINDS = (*HOLES, "round edge", *SURFACES, "flange", "bead", "emboss", "bend")
 # Features that keep their form on real parts: those with a rim, without outlines.
 USUAL_FEATURES = HOLES
 
+ODD_HOLE = "odd hole"
+"""The name on the command line for holes that are neither round, slotted nor rectangular."""
+
 CONTACT_KINDS = ("bolt", "weld", "flange", "face", "edge")
 
 # The valid range of every numeric option.
@@ -128,7 +131,7 @@ class FindOptions:
             if value is not None and not least <= value <= most:
                 found.append((f"{name} is {value}", f"give a number from {least:g} to {most:g}"))
         if self.largest_radius < self.smallest_radius:
-            found.append(("largest_radius is below smallest_radius", "exchange them"))
+            found.append(("largest_radius is below smallest_radius", "swap them"))
         return found
 
     def as_dict(self) -> dict[str, Any]:

@@ -89,7 +89,7 @@ def parts_of_files(
 ) -> Parts:
     """Read the parts of files; meshing has mesh sizes for CAD files. Raises RecipeError."""
     if meshing and not any(map(is_cad, paths)):
-        todo = "leave edge, deflection and angle out"
+        todo = "leave out edge, deflection and angle"
         raise RecipeError([Fault("find", "only CAD files are meshed", todo)])
     entries: list[dict[str, Any]] = []
     names: set[str] = set()
@@ -103,7 +103,7 @@ def parts_of_files(
         if meshing and is_cad(path):
             entries[-1]["mesh"] = dict(meshing)
     parts = read_parts(model_of({"parts": entries}).parts, ".")
-    faults = [fault for fault in parts.faults if "is used already" not in fault.what]
+    faults = [fault for fault in parts.faults if "is already used" not in fault.what]
     if faults:
         raise RecipeError(faults)
     return parts

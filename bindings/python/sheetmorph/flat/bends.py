@@ -46,8 +46,8 @@ class KTable:
             if words:
                 rows.append(_row(place, number, words))
         if not rows or any(a[0] >= b[0] for a, b in zip(rows, rows[1:])):
-            todo = "give a ratio R/T and a K-factor a line, ratios rising"
-            raise FileError(place, "it is no table of K-factors", todo)
+            todo = "give one R/T ratio and K-factor per line, with rising ratios"
+            raise FileError(place, "it is not a table of K-factors", todo)
         return cls(tuple(rows))
 
     def at(self, ratio: float) -> float:
@@ -63,7 +63,7 @@ def _row(place: Path, number: int, words: list[str]) -> tuple[float, float]:
             return ratio, factor
     except ValueError:
         pass
-    what = f'"{" ".join(words)[:40]}" is no row of a table of K-factors'
+    what = f'"{" ".join(words)[:40]}" is not a row of a table of K-factors'
     todo = "write a ratio R/T of 0 or more and a K-factor between 0 and 1"
     raise FileError(place, what, todo, number)
 

@@ -19,6 +19,7 @@ from ..kernel import load_kernel
 from ..part_mesh import PartMesh
 from ..progress import Progress
 from ..strain import arcs, areas, principal_stretches
+from ..words import at_place, counted
 from .bends import Bend, KTable, find_bends
 
 if TYPE_CHECKING:
@@ -203,9 +204,10 @@ def _require_whole(
     share = area * thickness / volume if volume > 0.0 else 0.0
     if abs(share - 1.0) > _LOST:
         raise NotFlat(
-            f'"{name}" cannot be laid flat: the sheet of {thickness:.4g} mm found in it has '
-            f"{area:,.0f} mm2, which is {100.0 * share:.0f} % of its volume of {volume:,.0f} mm3; "
-            "remove what is not sheet from the solid, or repair steps in its skins"
+            f'"{name}" cannot be flattened: the sheet of {thickness:.4g} mm found '
+            f"in it has {area:,.0f} mm2, which is {100.0 * share:.0f} % of its "
+            f"volume of {volume:,.0f} mm3; remove everything that is not sheet from "
+            "the solid, or repair steps in its skins"
         )
 
 
@@ -241,27 +243,34 @@ def _flat(name: str, piece: tuple[Floats, Ints], wishes: _Wishes) -> FlatPattern
 def _require_flat(pattern: FlatPattern, found: _core.Flattening, limit: float) -> None:
     largest, most = pattern.residual()
     if len(found.flipped):
-        what = f"{len(found.flipped)} triangles come out upside down"
-        raise NotFlat(f'"{pattern.name}" cannot be laid flat: {what}; cut it where it closes')
+        number = len(found.flipped)
+        corners = pattern.triangles[found.flipped[0]]
+        place = at_place(pattern.rest[corners].mean(axis=0))
+        what = f"{counted(number, 'triangle flips', 'triangles flip')} near {place}"
+        todo = "cut it there, or leave out what is not developable"
+        raise NotFlat(f'"{pattern.name}" cannot be flattened: {what}; {todo}')
     if most > limit:
         raise NotFlat(
-            f'"{pattern.name}" cannot be laid flat within {100 * limit:.2g} %: 1 % of it is '
-            f"stretched by more than {100 * most:.2g} % (the largest is {100 * largest:.2g} %); it "
-            "is curved in two directions; allow more with --limit, or cut it"
+            f'"{pattern.name}" cannot be flattened within {100 * limit:.2g} %: it '
+            "is curved in two directions, and 1 % of it stretches by more than "
+            f"{100 * most:.2g} % (largest {100 * largest:.2g} %); allow more with "
+            "--limit, or cut it"
         )
 
 
 def _notes(found: _core.Flattening, bends: list[Bend], thickness: float | None) -> list[str]:
-    notes = ["kinematic, no forming simulation: what tools, friction and yield do is not in it"]
+    notes = ["kinematic result: springback and friction are not included"]
     curved = len(found.is_rigid) - sum(found.is_rigid)
     if curved:
         notes.append(
-            f"{curved} rims are not plane and follow the sheet; the others keep their form"
+            f"{curved} rims are not plane and follow the sheet; the others keep their shape"
         )
     if bends and thickness is None:
-        notes.append("no thickness is known: lengths are those of the sheet as given, without K")
+        notes.append(
+            "the thickness is unknown: lengths are those of the given sheet, without a K-factor"
+        )
     if any(not bend.radius for bend in bends) and thickness:
-        notes.append("sharp folds have no radius: no allowance is made for them")
+        notes.append("sharp folds have no radius and get no bend allowance")
     if found.unsettled:
         notes.append(found.unsettled)
     return notes

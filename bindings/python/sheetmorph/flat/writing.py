@@ -33,11 +33,11 @@ def write_patterns(patterns: list[FlatPattern], output: Path, files: FileSet) ->
     ways = {".dxf": dxf_of, ".svg": svg_of, ".obj": obj_of, ".json": json_of}
     one_way = ways.get(output.suffix.lower())
     if one_way is not None and len(patterns) > 1:
-        what = f"{len(patterns)} pieces do not go into one file"
-        raise InputError(f"-o {output}: {what}", "name a folder")
+        what = f"one file cannot hold {len(patterns)} pieces"
+        raise InputError(what, "give a folder")
     if one_way is None and output.suffix and not output.is_dir():
-        what = f"-o {output}: patterns are not written as {output.suffix}"
-        raise InputError(what, "name a folder, or a file .dxf, .svg, .obj or .json")
+        what = f'unknown format "{output.suffix}"'
+        raise InputError(what, "use .dxf, .svg, .obj or .json, or a name without a suffix")
     wanted = (
         {output: one_way(patterns[0])}
         if one_way is not None
@@ -62,9 +62,10 @@ def table_of(pattern: FlatPattern, unit: str = "mm") -> list[str]:
     width, height = pattern.size
     metal = "" if pattern.thickness is None else f", {pattern.thickness:.4g} {unit} thick"
     lines = [
-        f"{pattern.name}: {width:.3f} x {height:.3f} {unit}{metal}, {len(pattern.holes)} hole(s), "
-        f"{len(pattern.bends)} bend(s); stretch left: largest {100 * largest:.3f} %, 99 % of the "
-        f"area below {100 * most:.3f} %"
+        f"{pattern.name}: {width:.3f} x {height:.3f} {unit}{metal}, "
+        f"{len(pattern.holes)} hole(s), {len(pattern.bends)} bend(s); residual "
+        f"strain: largest {100 * largest:.3f} %, 99 % of the area below "
+        f"{100 * most:.3f} %"
     ]
     if pattern.bends:
         lines.append("  ".join(f"{word:>12}" for word in _TABLE))

@@ -36,8 +36,8 @@ def read_joint_file(path: str | Path) -> JointFile:
     """Read a joint file. Raises FileError."""
     place = Path(path)
     if not is_joint_file(place):
-        todo = f"name one of {', '.join(suffixes())}"
-        raise FileError(place, "it is no file of welds and bolts", todo)
+        todo = f"use one of {', '.join(suffixes())}"
+        raise FileError(place, "it is not a joint file", todo)
     try:
         data = place.read_bytes()
     except OSError as error:

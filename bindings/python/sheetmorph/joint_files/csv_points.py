@@ -52,9 +52,9 @@ def read_vip(path: Path, data: bytes) -> JointFile:
         joint.parts = _parts(data, fields[_VIP_PARTS:])
         _add(file, joint, line, [_VIP_X, _VIP_X + 1, _VIP_X + 2])
     if others:
-        file.notes.append(f"{others} lines that are no WSPOT stay as they are")
+        file.notes.append(f"{others} lines other than WSPOT stay unchanged")
     if not file.joints:
-        raise file.error(None, "there is no line that begins with WSPOT", "check what file it is")
+        raise file.error(None, "no line begins with WSPOT", "check what file it is")
     return file
 
 
@@ -146,7 +146,7 @@ def _columns(file: JointFile, head: _Line) -> tuple[list[int], dict[str, Any]]:
         elif name in _KINDS:
             others.setdefault("kind", k)
     if set(axes) != set("xyz"):
-        todo = "name them, for example id,x,y,z,part1,part2"
+        todo = "name the columns, for example id,x,y,z,part1,part2"
         raise file.error(head.number, "its first line does not name columns x, y and z", todo)
     if len(units) > 1 or not units <= set(_UNITS):
         what = f"columns in {', '.join(sorted(units))}"

@@ -144,7 +144,7 @@ class JointSource:
         if self.left:
             names = ", ".join(joint.name or "?" for joint in self.left[:_SHOWN])
             more = " and more" if len(self.left) > _SHOWN else ""
-            what = "joints stay where they are, no sheet is within reach"
+            what = "joints have no sheet within reach and stay in place"
             notes.append(f"{self.file.path.name}: {len(self.left)} {what}: {names}{more}")
         refused = self.settings.is_refused
         return {
@@ -188,7 +188,7 @@ class JointSource:
         shown = " ".join(filter(None, (entry["kind"], entry["joint"]))) or "a joint"
         return (
             f"{self.file.path.name}, line {entry['line']}: {shown} came apart by "
-            f"{entry['change']:.3g} mm, more than {entry['limit']:.3g} mm"
+            f"{entry['change']:.3g} mm (allowed {entry['limit']:.3g} mm)"
         )
 
 
@@ -243,7 +243,7 @@ def joint_sources(parts: Parts, base: str | Path) -> list[JointSource]:
     for entry in parts.joint_files:
         name = Path(entry.file).name
         if name in names:
-            what = f'the file name "{name}" is used already'
+            what = f'the file name "{name}" is already used'
             faults.append(Fault(f"{entry.where}.file", what, "rename one of the files"))
             continue
         names.append(name)

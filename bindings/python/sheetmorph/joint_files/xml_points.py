@@ -59,7 +59,7 @@ class _Reader:
             what, todo = f"its encoding cannot be read ({error})", "save it as UTF-8"
             raise self._file.error(0, what, todo) from None
         if self._untold:
-            told = f"{self._untold} directions of lines and faces stay as they are"
+            told = f"{self._untold} directions of lines and faces stay unchanged"
             self._file.notes.append(told)
         return self._file
 
@@ -71,7 +71,7 @@ class _Reader:
         return self._file.error(self._line, what, todo)
 
     def _entity(self, *_told: object) -> None:
-        raise self._error("it declares entities", "write the values themselves")
+        raise self._error("it declares entities", "write out the values")
 
     def _start(self, tag: str, given: dict[str, str]) -> None:
         name = tag.rsplit(":", 1)[-1]
@@ -83,7 +83,7 @@ class _Reader:
         parent = self._stack[-1] if self._stack else ""
         self._stack.append(name)
         if len(self._stack) > 200:
-            raise self._error("its elements stand in one another more than 200 deep")
+            raise self._error("its elements are nested more than 200 deep")
         self._text, self._begin = [], None
         if name == "units":
             self._units(given.get("length", "mm"))

@@ -83,7 +83,9 @@ def _draw_on(screen: str, wanted: Path, count: int) -> None:
     if done.returncode:
         lines = done.stderr.decode(errors="replace").strip().splitlines()
         said = lines[-1] if lines else f"status {done.returncode}"
-        raise PictureError(f"VTK could not draw the picture ({said}); see that python3-vtk9 works")
+        raise PictureError(
+            f"VTK could not draw the picture ({said}); check that python3-vtk9 works"
+        )
 
 
 @contextmanager
@@ -116,6 +118,6 @@ def _number_from(reading: int) -> int:
         ready, _, _ = select.select([reading], [], [], _SECONDS_TO_START)
         more = os.read(reading, 64) if ready else b""
         if not more:
-            raise PictureError("no virtual screen starts; see that Xvfb works")
+            raise PictureError("no virtual screen starts; check that Xvfb works")
         told += more
     return int(told)

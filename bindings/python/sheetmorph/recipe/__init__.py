@@ -22,7 +22,14 @@ from .model import Model, model_of
 from .parts import Parts, parts_of_meshes, read_parts
 from .pose import Moved, pose_of
 from .reading import named_in, read_json
-from .structure import faults_against, pose_faults, schema, structural_faults, where_faults
+from .structure import (
+    faults_against,
+    has_misspelt_section,
+    pose_faults,
+    schema,
+    structural_faults,
+    where_faults,
+)
 from .unavailable import take_out
 from .values import depth_faults
 
@@ -152,8 +159,12 @@ def check_pose(model: Model, pose: Any) -> dict[str, Moved]:
 
 def _model(recipe: Any) -> tuple[Model, list[Fault]]:
     _require_shallow(recipe)
+    if isinstance(recipe, dict) and "sheetmorph_study" in recipe:
+        raise RecipeError([Fault("recipe", "this is a study", "use the command `study`")])
     available, faults = take_out(recipe)
     structural, sound = structural_faults(available)
+    if has_misspelt_section(available):  # what depends on the section would only repeat the fault
+        raise RecipeError([*faults, *structural])
     return model_of(without_auto(sound)), [*faults, *structural]
 
 

@@ -128,7 +128,7 @@ def _wanted_features(
     kinds, parts = options.get("kinds", (*USUAL_FEATURES, "rigid body")), options.get("parts")
     on_parts = [entry for entry in found if parts is None or entry["part"] in parts]
     left_out += [
-        f"{entry['name']}: \"kinds\" leaves {entry['kind']}s out"
+        f'{entry["name"]}: "kinds" excludes {entry["kind"]}s'
         for entry in on_parts
         if entry["kind"] in HOLES and entry["kind"] not in kinds
     ]
@@ -154,7 +154,7 @@ def _without_conflicts(
         own = {(entry["part"], vertex) for vertex in entry["vertices"]}
         holders = set().union(*(regions.get(place, set()) for place in own))
         if len(holders) > 1:
-            left_out.append(f"{entry['name']}: two regions hold it")
+            left_out.append(f"{entry['name']}: two regions constrain it")
             continue
         vertices = set(own)
         for ring in entry.get("washer", ()):
@@ -184,7 +184,7 @@ def _joined(entries: list[dict[str, Any]], told: list[str]) -> list[dict[str, An
             vertices = {*kept[first]["vertices"], *other["vertices"]}
             # The rings around one feature cross the other.
             kept[first] = {**kept[first], "vertices": sorted(vertices), "washer": []}
-            told.append(f"{other['name']}: one feature with {first}, they share vertices")
+            told.append(f"{other['name']}: merged with {first}, because they share vertices")
         if not touched:
             kept[first] = entry
         for vertex in kept[first]["vertices"]:

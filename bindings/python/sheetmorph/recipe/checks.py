@@ -56,7 +56,7 @@ def meaning_faults(model: Model, known: Known) -> list[Fault]:
     faults = [*_repeated_names(model), *_primary(model, known)]
     for region in model.all_regions:
         if not region.part:  # the key `driven` of a part that is split
-            what = "the entry stands for several parts"
+            what = "the entry is for several parts"
             todo = 'list them under "regions", as followers'
             faults.append(Fault(region.where, what, todo).about(region.subject))
         elif not known.has_part(region.part):
@@ -71,7 +71,7 @@ def meaning_faults(model: Model, known: Known) -> list[Fault]:
             faults.append(Fault(contact.where, what, todo).about(contact.subject))
     faults += relation_faults(model, known.posed)
     if not known.is_held:
-        what = "nothing is fixed and nothing is moved"
+        what = "there is no fixed region and no handle"
         faults.append(Fault("recipe", what, "add a fixed region and a handle"))
     poses = {"pose": model.pose, **{f"poses.{name}": p for name, p in model.poses.items()}}
     for where, pose in poses.items():
@@ -94,10 +94,10 @@ def pose_meaning_faults(
             found = _moved(regions[name], moved, where)
             faults += [fault.about(regions[name].subject) for fault in found]
         elif name not in place[1]:
-            known = _list(set(regions)) if regions else "none; add a handle"
+            todo = f"names are {_list(set(regions))}" if regions else "add a handle"
             what = f'there is no handle, feature or point "{name}"'
             subject = Subject("region", name)
-            faults.append(Fault(where, what, f"names are {known}").about(subject))
+            faults.append(Fault(where, what, todo).about(subject))
     return faults
 
 
@@ -143,7 +143,7 @@ def _part_mesh(part: PartEntry, mesh: PartMesh) -> Iterator[Fault]:
 
 
 def _list(names: Set[str]) -> str:
-    return ", ".join(f'"{name}"' for name in sorted(names)) or "the parts; none is listed yet"
+    return ", ".join(f'"{name}"' for name in sorted(names)) or "the parts, after you list them"
 
 
 def _repeated_names(model: Model) -> Iterator[Fault]:
@@ -158,7 +158,7 @@ def _repeated_names(model: Model) -> Iterator[Fault]:
         seen: dict[str, str] = {}
         for entry in entries:
             if entry.name in seen:
-                text = f'the {what} name "{entry.name}" is used already by {seen[entry.name]}'
+                text = f'the {what} name "{entry.name}" is already used by {seen[entry.name]}'
                 yield Fault(entry.where, text, "give it another name").about(entry.subject)
             else:
                 seen[entry.name] = entry.where
@@ -180,7 +180,7 @@ def _numbers(region: RegionEntry) -> Iterator[Fault]:
     if region.barycentric is not None:
         where = f"{region.where}.barycentric"
         if abs(sum(region.barycentric) - 1.0) > 1e-9:
-            what = f"the three numbers add up to {sum(region.barycentric):.9g}, not to 1"
+            what = f"the three numbers add up to {sum(region.barycentric):.9g}, not 1"
             yield Fault(where, what, "divide them by their sum")
         elif min(region.barycentric) < -1e-9:
             yield Fault(
@@ -196,7 +196,7 @@ def _one_of_vertices_and_where(region: RegionEntry) -> Iterator[Fault]:
         what = "both vertices and a selector are given"
         yield Fault(region.where, what, 'keep either "vertices" or "where"')
     if region.is_prepared:
-        todo = "leave it out beside a selector"
+        todo = "leave it out next to a selector"
         yield Fault(f"{region.where}.ids", "only vertex ids count in a mesh", todo)
     for fault in form_faults(region.selector):
         place = place_of(region.selector, fault.path) if fault.path else ""
@@ -216,7 +216,7 @@ def _either_vertices_or_point(region: RegionEntry) -> Iterator[Fault]:
         yield Fault(region.where, "vertices and a point on a triangle are given", todo)
     if region.vertices is None and not all(has_point):
         todo = "give vertices, or triangle and barycentric"
-        yield Fault(region.where, "it says neither vertices nor a whole point", todo)
+        yield Fault(region.where, "it has neither vertices nor a complete point", todo)
 
 
 def _axis(where: str, rotation: Rotation | None) -> Iterator[Fault]:

@@ -169,10 +169,10 @@ def _write_faults(entry: PartEntry) -> list[Fault]:
         return []
     where = f"{entry.where}.write"
     if not is_cad(entry.file):
-        what = f'"{entry.file}" is no CAD file, and its mesh is no shape'
-        return [Fault(where, what, "leave it out, or take the CAD file of the part")]
+        what = f'"{entry.file}" is not a CAD file, so it has no CAD shape to write'
+        return [Fault(where, what, "leave it out, or use the CAD file of the part")]
     if entry.wanted:
-        what = "a part after scale, weld or remesh has another mesh than the one of its shape"
+        what = "scale, weld and remesh give the part another mesh than that of its shape"
         return [Fault(where, what, 'leave those out; "mesh" says how finely a shape is meshed')]
     return []
 
@@ -193,7 +193,7 @@ def _prepared(file: PartFile, entry: PartEntry, progress: Progress | None) -> Pa
     try:
         return PreparedFile(file, entry.wanted, progress)
     except ValueError as error:
-        fault = fault_of(error, "look at what `doctor` finds in it", "")
+        fault = fault_of(error, "run `doctor` on it to see why", "")
         what = f"{fault.where}: {fault.what}" if fault.where else fault.what
         raise FileError(file.path, f"it cannot be prepared: {what}", fault.todo) from error
 
@@ -223,7 +223,7 @@ def _clashes(entries: list[PartEntry], stems: Mapping[str, str]) -> list[Fault]:
         name = f"{entry.stem}.obj" if name and entry.wanted else name
         name = f"{stems[entry.where]}{Path(name).suffix}" if entry.where in stems else name
         if name and name in seen:
-            what = f'the file name "{name}" is used already by {seen[name]}'
+            what = f'the file name "{name}" is already used by {seen[name]}'
             todo = "rename one of the files; results are written into one folder"
             faults.append(Fault(f"{entry.where}.file", what, todo))
         elif name:

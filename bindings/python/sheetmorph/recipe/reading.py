@@ -26,6 +26,7 @@ def read_json(path: str | Path) -> Any:
     A file with the suffix .toml is TOML 1.0. Any other file is JSON, which may have // and /* */
     comments and trailing commas.
     """
+    _refuse_part(path)
     text = _text_of(path)
     if Path(path).suffix.lower() == ".toml":
         return _read_toml(path, text)
@@ -36,7 +37,7 @@ def read_json(path: str | Path) -> Any:
         raise _error(where, f"not JSON: {error.msg}", "correct it there or just before") from None
     except _Repeated as error:
         line, column = repeated_key(plain_json(text)) or (1, 1)
-        what = f'the key "{error}" stands twice in one object'
+        what = f'the key "{error}" appears twice in one object'
         raise _error(f"{path}, line {line}, column {column}", what, "keep one of them") from None
     except (RecursionError, ValueError) as error:
         raise _error(path, f"not JSON that can be used: {error}", "simplify it") from None
@@ -62,6 +63,16 @@ def _with_lines(path: str | Path, faults: Sequence[Fault]) -> list[Fault]:
     except RecipeError:  # the file changed in the meantime
         return list(faults)
     return [lines.of(fault) for fault in faults]
+
+
+def _refuse_part(path: str | Path) -> None:
+    """Raise RecipeError for a mesh, deck or CAD file in place of a recipe."""
+    from ..files import suffixes, unpacked_name
+
+    if unpacked_name(path).suffix.lower() in suffixes():
+        name = Path(path).name
+        what = "is a part file, not a recipe"
+        raise _error(path, what, f"`init {name}` writes a recipe for it")
 
 
 def _text_of(path: str | Path) -> str:

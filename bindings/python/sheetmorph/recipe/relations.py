@@ -54,12 +54,13 @@ def _members(
     where = f"{relation.where}.features"
     for name in relation.features:
         if name not in features and name not in declared:
-            known = ", ".join(f'"{feature}"' for feature in sorted(features)) or "none; add one"
-            yield Fault(where, f'there is no feature "{name}"', f"names are {known}")
+            known = ", ".join(f'"{feature}"' for feature in sorted(features))
+            todo = f"names are {known}" if known else "add one"
+            yield Fault(where, f'there is no feature "{name}"', todo)
     if len(set(relation.features)) < len(relation.features):
         yield Fault(where, "a feature is named twice", "name each once")
     parts = {features[name].part for name in relation.features if name in features}
     if relation.type == "group" and len(parts) > 1:
         named = " and ".join(f'"{part}"' for part in sorted(parts))
-        what = f"its features are on the parts {named}, and a group is on one part"
-        yield Fault(where, what, 'join the parts by a contact of type "rigid"')
+        what = f"a group needs features of one part, and these are on the parts {named}"
+        yield Fault(where, what, 'join the parts with a contact of type "rigid"')

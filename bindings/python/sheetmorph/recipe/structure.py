@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import difflib
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache
 from importlib import resources
 from typing import Any
@@ -99,7 +99,34 @@ def faults_against(other: dict[str, Any], data: Any) -> list[Fault]:
 def _errors(validator: Any, instance: Any, told: list[list[str | int]]) -> list[Any]:
     """Return the schema errors in order of their paths, except at paths that have a fault."""
     errors = sorted(validator.iter_errors(instance), key=lambda error: list(map(str, error.path)))
-    return [error for error in errors if list(_innermost(error).absolute_path) not in told]
+    errors = [error for error in errors if list(_innermost(error).absolute_path) not in told]
+    misspelt = {(*e.absolute_path, key) for e in errors for key in _misspelt(e)}
+    return [e for e in errors if not _is_missing(e, misspelt)]
+
+
+def _misspelt(error: jsonschema.ValidationError) -> list[str]:
+    """Return the keys that the user misspelt, as far as an error shows it."""
+    if str(error.validator) != "additionalProperties":
+        return []
+    return _meant(error.instance, error.schema.get("properties", {}))
+
+
+def _meant(entry: dict[str, Any], known: Iterable[str]) -> list[str]:
+    """Return the known keys that unknown keys of an entry resemble."""
+    names = list(known)
+    unknown = [key for key in entry if key not in names]
+    return [close for key in unknown for close in difflib.get_close_matches(key, names, 1)]
+
+
+def has_misspelt_section(recipe: Any) -> bool:
+    """Return whether a top-level key is misspelt, so that its section is missing."""
+    return isinstance(recipe, dict) and bool(_meant(recipe, schema()["properties"]))
+
+
+def _is_missing(error: jsonschema.ValidationError, keys: set[tuple[str | int, ...]]) -> bool:
+    """Return whether an error reports one of the keys as missing."""
+    is_required = str(error.validator) == "required"
+    return is_required and (*error.absolute_path, _missing(error)) in keys
 
 
 # Rules of the schema for a whole recipe, disabled for a pose.
@@ -116,7 +143,11 @@ _ANY_TYPE: dict[str, Any] = {**_ONLY_REF, "type": ["object", "array"]}
 
 def _fault(recipe: Any, error: jsonschema.ValidationError, root: list[str] | None = None) -> Fault:
     error = _innermost(error)
-    where = place_of(recipe, [*(root or []), *error.absolute_path])
+    path = [*(root or []), *error.absolute_path]
+    if not path and str(error.validator) == "additionalProperties":
+        known = error.schema.get("properties", {})
+        path = [next(key for key in error.instance if key not in known)]
+    where = place_of(recipe, path)
     what, todo = _explain(error)
     return Fault(where, what, todo)
 
@@ -146,7 +177,7 @@ def _explain(error: jsonschema.ValidationError) -> tuple[str, str]:
         return "the list is empty", f"give {wanted}"
     if kind in ("minItems", "maxItems"):
         return f"it has {counted(len(value), 'entry', 'entries')}", f"give {wanted}"
-    return f"{_show(value)} is not {wanted}", f"give {wanted}"
+    return f"{_show(value)} is not valid", f"give {wanted}"
 
 
 def _missing(error: jsonschema.ValidationError) -> str:

@@ -70,5 +70,5 @@ def _is_bad_text(node: Any) -> bool:
 
 
 def _text_fault(recipe: Any, path: list[str | int]) -> Fault:
-    what = "a text with a character that cannot be stored (half a surrogate pair, or NUL)"
-    return Fault(place_of(recipe, path), what, "write it without that character")
+    what = "a text with an invalid character (half a surrogate pair, or NUL)"
+    return Fault(place_of(recipe, path), what, "remove that character")

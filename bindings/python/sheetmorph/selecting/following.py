@@ -253,8 +253,8 @@ class Following:
             row = [*lost, *olds][0]
             raise Question(self._text(row), [candidate_of(self.new.features[images[row]])])
         won = [text_of(self.new.features[j]) for j in others]
-        told = [f"it holds {text} now, and did not before" for text in won]
-        return told + [f"it does not hold {self._text(row)} any more" for row in lost]
+        told = [f"it now contains {text}, which it did not before" for text in won]
+        return told + [f"it no longer contains {self._text(row)}" for row in lost]
 
     def _text(self, row: int) -> str:
         return text_of(self.old.features[row])

@@ -46,10 +46,10 @@ def key_of(selector: Mapping[str, Any]) -> str:
     """
     keys = [key for key in selector if key in WITH]
     if not keys:
-        raise SelectorError("it does not say what it selects", f"give one of {', '.join(WITH)}")
+        raise SelectorError("it has no key that selects anything", f"give one of {', '.join(WITH)}")
     if len(keys) > 1:
-        what = f'"{keys[0]}" and "{keys[1]}" stand in one selector'
-        raise SelectorError(what, 'join two by "union", "intersection" or "minus"')
+        what = f'one selector has both "{keys[0]}" and "{keys[1]}"'
+        raise SelectorError(what, 'combine two with "union", "intersection" or "minus"')
     return keys[0]
 
 
@@ -78,10 +78,10 @@ def _check_keys(selector: Mapping[str, Any], key: str) -> None:
     for other in selector:
         if other != key and other not in WITH[key] and other not in _ALWAYS:
             goes = [f'"{name}"' for name in WITH[key]] or ["nothing"]
-            todo = f'leave it out; with "{key}" goes {" or ".join(goes)}'
-            raise SelectorError(f'"{other}" says nothing to "{key}"', todo, (other,))
+            todo = f'leave it out; "{key}" can have {" or ".join(goes)}'
+            raise SelectorError(f'"{key}" does not use "{other}"', todo, (other,))
     if "of" in WITH[key] and "of" not in selector:
-        raise SelectorError(f'"{key}" lacks what it starts from', 'add "of": a selector')
+        raise SelectorError(f'"{key}" has no selector to start from', 'add "of": a selector')
     if key in _DIRECTIONS:
         try:
             unit(selector[key][_DIRECTIONS[key]], _DIRECTIONS[key])
@@ -89,5 +89,5 @@ def _check_keys(selector: Mapping[str, Any], key: str) -> None:
             raise SelectorError(error.what, error.todo, (key, *error.path)) from None
     if key == "found" and "holes" in selector and selector["found"] not in HOLES:
         raise SelectorError(
-            f'a {selector["found"]} is no hole', 'state the number as "count"', ("holes",)
+            f'a {selector["found"]} is not a hole', 'give the number as "count"', ("holes",)
         )

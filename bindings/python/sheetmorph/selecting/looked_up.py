@@ -249,7 +249,7 @@ def _narrowed(shape: PartShape, told: Told, present: list[int]) -> tuple[list[in
     if "name" in told:
         named = [k for k in allowed if faces[k].name == told["name"]]
         if not named:
-            remarks.append(f'no face is called "{told["name"]}" any more, the nearest one is taken')
+            remarks.append(f'no face is called "{told["name"]}" now; the nearest one is used')
         allowed = named or allowed
     return allowed, remarks
 
@@ -273,9 +273,7 @@ def _nearest_face(
 def _renumbered(face: CadFace, told: Told) -> list[str]:
     if told.get("number", face.number) == face.number:
         return []
-    return [
-        f"face {told['number']} of the file is elsewhere now: face {face.number} is at its point"
-    ]
+    return [f"face {told['number']} of the file has moved: face {face.number} is now at its point"]
 
 
 def _matched(shape: PartShape, chosen: Chosen, key: str, distance: float) -> Chosen:

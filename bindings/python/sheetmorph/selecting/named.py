@@ -34,8 +34,8 @@ def by_ids(shape: PartShape, told: Told) -> Chosen:
 def by_figure(shape: PartShape, told: Told) -> Chosen:
     """Return the vertices inside a figure that the user drew in a view."""
     if shape.drawn is None:
-        what = "what was drawn in a view is known in FreeCAD alone"
-        raise SelectorError(what, "use vertex ids, or say what the region is", ("drawn",))
+        what = "only FreeCAD knows the figures drawn in a view"
+        raise SelectorError(what, "use vertex ids or another selector", ("drawn",))
     return shape.of_vertices(shape.drawn(told["drawn"]))
 
 
@@ -76,14 +76,14 @@ def by_kind(shape: PartShape, told: Told) -> Chosen:
     if kind not in KINDS:
         near = difflib.get_close_matches(str(kind), KINDS, 1, 0.4)
         raise SelectorError(
-            f'"{kind}" is no kind of feature', f"use {near[0] if near else ', '.join(KINDS)}",
+            f'"{kind}" is not a kind of feature', f"use {near[0] if near else ', '.join(KINDS)}",
             ("found",),
         )  # fmt: skip
     of_kind = [entry for entry in shape.features if entry["kind"] == kind]
     if not of_kind:
         others = ", ".join(sorted({entry["kind"] for entry in shape.features})) or "nothing"
         raise SelectorError(
-            f'no {kind} is found on "{shape.name}"', f"what is found there: {others}", ("found",)
+            f'no {kind} is found on "{shape.name}"', f"found there: {others}", ("found",)
         )
     if "diameter" in told:
         of_kind = _sized(of_kind, told)
@@ -121,7 +121,7 @@ def _nearest(
     remarks = far_remarks(shape, "found", first)
     if len(order) > 1 and gaps[order[1]] <= first + shape.slack:
         kind = entries[0]["kind"]
-        remarks.append(f"found: two {kind}s are equally near to the point, the first one is taken")
+        remarks.append(f"found: two {kind}s are equally near to the point; the first one is used")
     return [entries[order[0]]], float(first), remarks
 
 

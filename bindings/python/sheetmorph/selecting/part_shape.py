@@ -12,12 +12,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arrays import Floats, Ints
+from ..file_unit import unit_of
 from ..finding.findings import FindPart
 from ..finding.search import find
 from ..kernel import load_kernel
 from ..labels import Labels
 from ..part_mesh import PartMesh
 from ..recipe.placement import Placement
+from ..words import tidy
 from .cad_edges import CadEdge, cad_edges
 from .chosen import Chosen
 
@@ -142,5 +144,9 @@ class PartShape:
 
     def describe_box(self) -> str:
         """Describe the box of the part for messages."""
-        low, high = (f"[{', '.join(f'{x:.6g}' for x in corner)}]" for corner in self.box)
-        return f'"{self.name}" reaches from {low} to {high}'
+        low, high = (f"[{', '.join(map(tidy, corner))}]" for corner in self.box)
+        text = f'"{self.name}" reaches from {low} to {high} mm'
+        unit = unit_of(self.size, None)
+        if unit["scale"] != 1.0 and unit["is_certain"]:
+            text += f'. The unit seems to be {unit["guess"]}: use "scale": {unit["scale"]:g}'
+        return text

@@ -28,7 +28,7 @@ class Question(ValueError):
     """
 
     def __init__(self, was: str, candidates: list[Candidate]):
-        named = " or ".join(one.text for one in candidates) or "nothing like it is there"
+        named = " or ".join(one.text for one in candidates) or "nothing like it exists"
         super().__init__(f"{was} may be {named}" if candidates else f"{was} is gone: {named}")
         self.was, self.candidates = was, candidates
 

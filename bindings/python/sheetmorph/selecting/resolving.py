@@ -48,7 +48,7 @@ def selected(shape: PartShape, selector: Any) -> Chosen:
         raise _nothing(shape, selector)
     is_all = isinstance(selector, dict) and "all" in selector
     if chosen.inside[shape.used].all() and not is_all:
-        remark = f'it is the whole part "{shape.name}"; write {{"all": true}} if that is meant'
+        remark = f'it is the whole part "{shape.name}"; write {{"all": true}} if you intend that'
         chosen = replace(chosen, remarks=[*chosen.remarks, remark])
     return chosen
 
@@ -79,7 +79,7 @@ def _below(shape: PartShape, path: Path, selector: Any) -> Chosen:
         raise SelectorError(error.what, error.todo, (*path, *error.path)) from None
     if found.inside.any():
         return found
-    return replace(found, remarks=[*found.remarks, f"{_spoken(selector)} in it selects nothing"])
+    return replace(found, remarks=[*found.remarks, f"its part {_spoken(selector)} selects nothing"])
 
 
 def _check_counts(shape: PartShape, selector: Mapping[str, Any], found: Chosen) -> None:
@@ -95,7 +95,7 @@ def _check_counts(shape: PartShape, selector: Mapping[str, Any], found: Chosen) 
 
 def _nothing(shape: PartShape, selector: Any) -> SelectorError:
     what = f'{_spoken(selector)} selects nothing on "{shape.name}"'
-    return SelectorError(what, f"move or widen it; {shape.describe_box()} mm")
+    return SelectorError(what, f"move or widen it; {shape.describe_box()}")
 
 
 def _spoken(selector: Any) -> str:

@@ -27,7 +27,7 @@ def with_pose(
         odd = sorted(set(motion) - _BLENDED)
         if odd:
             what = f'{" and ".join(odd)} of "{name}" cannot be blended'
-            raise _error(where, what, "give them parameters of their own")
+            raise _error(where, what, "give them separate parameters")
         added[name] = _with_motion(added.get(name, {}), motion, share, f"{where} ({name})")
     return added
 

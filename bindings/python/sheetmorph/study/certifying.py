@@ -64,5 +64,5 @@ def _sentence(entry: dict[str, Any]) -> str:
     if value is None:
         return f"{name} cannot be measured"
     if value < entry.get("min", value):
-        return f"{name} is {value:.6g}, at least {entry['min']:.6g} is asked for"
-    return f"{name} is {value:.6g}, at most {entry['max']:.6g} is allowed"
+        return f"{name} is {value:.6g} (at least {entry['min']:.6g} required)"
+    return f"{name} is {value:.6g} (at most {entry['max']:.6g} allowed)"

@@ -94,7 +94,9 @@ def _from_json(path: Path, text: str) -> Request | None:
         isinstance(value, (int, float)) for value in values.values()
     )
     if not is_sound:
-        raise FileError(path, "has no numbers by the names of parameters", 'give {"lift": 1.5}')
+        raise FileError(
+            path, "has no numbers under the names of the parameters", 'give {"lift": 1.5}'
+        )
     is_whole = "parameters" in data
     measures = data.get("measures", []) if is_whole else []
     bits = _VALUE | (_GRADIENT if is_whole and data.get("gradients") else 0)
@@ -121,10 +123,10 @@ def _from_dakota(path: Path, text: str) -> Request:
     }
     order = [int(value) for value, tag in rows if re.match(r"DVV_\d+(:|$)", tag)]
     if any(place < 1 or place > len(names) for place in order):
-        raise FileError(path, "a derivative is by no variable", "let Dakota write the file again")
+        raise FileError(path, "a derivative names no variable", "let Dakota write the file again")
     if any(bits & _HESSIAN for bits in wanted.values()):
-        todo = "let Dakota work out Hessians by itself (numerical_hessians or quasi_hessians)"
-        raise FileError(path, "second derivatives are asked for", todo)
+        todo = "let Dakota compute Hessians (numerical_hessians or quasi_hessians)"
+        raise FileError(path, "second derivatives are requested", todo)
     return Request(values, wanted, [names[place - 1] for place in order])
 
 
@@ -141,7 +143,7 @@ def _rows(path: Path, text: str) -> list[tuple[str, str]]:
             rows.append((found[1], found[2]))
         elif line.strip():
             todo = "give the file that Dakota writes"
-            raise FileError(path, "is no line of a parameters file", todo, number)
+            raise FileError(path, "is not a line of a parameters file", todo, number)
     return rows
 
 
@@ -158,7 +160,7 @@ def _number(path: Path, text: str, name: str) -> float:
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        raise FileError(path, f'"{text}" of {name} is no number', "use continuous variables")
+        raise FileError(path, f'"{text}" of {name} is not a number', "use continuous variables")
     return value
 
 

@@ -223,7 +223,7 @@ class Evaluator:
             values = dict(zip(self.names, values))
         missing = [name for name in self.names if name not in values]
         if missing:
-            what = f"no value is given for {', '.join(missing)}"
+            what = f"there is no value for {', '.join(missing)}"
             raise RecipeError([Fault("values", what, "give one for every parameter")])
         return {name: _finite(name, values[name]) for name in self.names}
 
@@ -241,6 +241,6 @@ def _bounds(entry: Any) -> tuple[float, float]:
 def _finite(name: str, value: Any) -> float:
     number = float(value)
     if not np.isfinite(number):
-        what = f"{name} is {number}, no finite number"
+        what = f"{name} is {number}, which is not a finite number"
         raise RecipeError([Fault("values", what, "give a finite number")])
     return number

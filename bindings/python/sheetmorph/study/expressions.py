@@ -60,7 +60,7 @@ class Expression:
         try:
             self._tree = ast.parse(text, mode="eval").body
         except (SyntaxError, ValueError, RecursionError, MemoryError):
-            raise self._error(f'"{text}" is no formula', "write it such as lift <= 2 * reach")
+            raise self._error(f'"{text}" is not a formula', "write it such as lift <= 2 * reach")
         self.names = self._checked(set(known))
 
     @property
@@ -82,7 +82,10 @@ class Expression:
         names = set()
         for node in ast.walk(self._tree):
             if not _is_allowed(node):
-                what = f'"{self.text}" has what no formula has ({type(node).__name__})'
+                what = (
+                    f'"{self.text}" has something that a formula cannot have '
+                    f"({type(node).__name__})"
+                )
                 raise self._error(what, "use numbers, names, + - * / ( ), comparisons")
             name = _name_of(node)
             if name is not None and name not in _FUNCTIONS and name not in _CONSTANTS:

@@ -101,5 +101,5 @@ def _opened(out: Path) -> Iterator[int]:
 
 
 def _busy(out: Path) -> RecipeError:
-    what = f"another process computes a study in {out}"
-    return RecipeError([Fault("-o", what, "wait for it, or name another folder")])
+    what = f"another process is computing a study in {out}"
+    return RecipeError([Fault("-o", what, "wait for it, or choose another folder")])

@@ -28,7 +28,7 @@ def steps_of(path: str, where: str) -> list[Step]:
             at += 1
         found = _STEP.match(path, at)
         if found is None:
-            what = f'"{path}" is no path; from "{path[at:]}" on it cannot be read'
+            what = f'"{path}" is not a path: it is not valid from "{path[at:]}" on'
             raise _error(where, what, 'write it such as "pose.tip.translation[2]"')
         number, quoted, plain = found.groups()
         text = plain if quoted is None else re.sub(r"\\(.)", r"\1", quoted)

@@ -46,8 +46,8 @@ class Plan:
         self.study: Study = read_study(path)
         self.recipe: Any = read_json(self.study.recipe)
         if isinstance(self.recipe, dict) and self.recipe.get("repair"):
-            what = "a study does not repair elements"
-            raise RecipeError([Fault("repair", what, "leave it out, and repair the best variant")])
+            what = "a study cannot repair elements"
+            raise RecipeError([Fault("repair", what, "leave it out, then repair the best variant")])
         self.folder = self.study.recipe.parent
         with named_in(self.study.recipe):
             self.parts: Parts = prepare(self.recipe, self.folder, progress)

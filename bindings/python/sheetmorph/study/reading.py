@@ -166,10 +166,12 @@ def _parameter_faults(where: str, entry: dict[str, Any], steps: tuple[Step, ...]
         what = "it has both a range and values" if "range" in entry else "it has no range"
         faults.append(Fault(where, what, 'give either "range" or "values"'))
     elif "range" in entry and not entry["range"][0] <= entry["range"][1]:
-        faults.append(Fault(f"{where}.range", "the first number is larger", "turn them round"))
+        faults.append(Fault(f"{where}.range", "the first number is larger", "swap the two numbers"))
     moved = [key for key in ("direction", "distance_from", "blend") if key in entry]
     if len(moved) > 1:
-        faults.append(Fault(where, f"{' and '.join(moved)} are told", "keep one of them"))
+        faults.append(
+            Fault(where, f"only one of {' and '.join(moved)} can be given", "keep one of them")
+        )
     elif moved == ["blend"] and steps:
         faults.append(Fault(where, "a blend of poses has no path", 'leave out "path"'))
     elif moved and moved != ["blend"] and not _is_translation(steps):
@@ -215,12 +217,12 @@ def _sampling_faults(sampling: Sampling, parameters: tuple[Parameter, ...]) -> l
     faults = []
     if (sampling.method == "csv") != (sampling.file is not None):
         todo = 'name it with "file"' if sampling.file is None else 'use the method "csv"'
-        faults.append(Fault("sampling", "a CSV goes with the method csv, and no other", todo))
+        faults.append(Fault("sampling", "a CSV file needs the method csv", todo))
     if sampling.method in _RANDOM and not sampling.count:
         faults.append(Fault("sampling", "the count is missing", 'add "count"'))
     unstepped = [p.name for p in parameters if not p.values and not p.count and p.low < p.high]
     if sampling.method == "full grid" and unstepped and not sampling.count:
-        what = f'a full grid does not know how many places {", ".join(unstepped)} has'
+        what = f'the full grid has no number of steps for {", ".join(unstepped)}'
         faults.append(Fault("sampling", what, 'give "steps" to the parameter, or a "count" here'))
     return faults
 

@@ -31,7 +31,7 @@ class Refusals:
             if all(self._is_beyond(name, values[name], limit, towards) for name in limit):
                 told = ", ".join(f"{name} = {values[name]:.6g}" for name in limit)
                 ends = ", ".join(f"{end:.6g}" for end in limit.values())
-                return f"{told} is beyond {ends} of {FILE}: {why}"
+                return f"{told} is outside {ends} of {FILE}: {why}"
         return ""
 
     def _is_beyond(self, name: str, value: float, limit: Values, towards: Values) -> bool:

@@ -107,7 +107,7 @@ def _range_sentence(name: str, entry: dict[str, Any]) -> str:
         for side in ("low", "high")
         if entry[f"{side}_why"]
     ]
-    return "; ".join([text if whys else f"{text}, all of its range", *whys])
+    return "; ".join([text if whys else f"{text}, its full range", *whys])
 
 
 class _Run:
@@ -149,7 +149,7 @@ class _Run:
         told = [_sentence(self._store.out, summary, costs)]
         if aside := self._store.aside():
             what = counted(aside, "finished variant", "finished variants")
-            told.append(f"{what} of other settings stay in it, under hidden names (.*.kept)")
+            told.append(f"{what} with other settings stay in it, under hidden names (.*.kept)")
         return told
 
     def _tell(self) -> dict[str, Any]:
@@ -252,4 +252,4 @@ def _require_apart(plan: Plan, out: Path) -> None:
     read = [plan.study.path, plan.study.recipe, *(s.file.origin for s in plan.parts.sources)]
     if out.resolve() in [path.parent.resolve() for path in read]:
         what = f"{out} is the folder of the study, its recipe or a part"
-        raise RecipeError([Fault("-o", what, "name a folder of its own")])
+        raise RecipeError([Fault("-o", what, "choose a separate folder")])

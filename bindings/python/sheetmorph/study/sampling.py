@@ -37,9 +37,9 @@ def out_of_range(study: Study, values: Values) -> str:
     for entry in study.parameters:
         value = values[entry.name]
         if entry.values and value not in entry.values:
-            return f"{entry.name} = {value:.6g} is none of its values"
+            return f"{entry.name} = {value:.6g} is not one of its values"
         if not entry.values and not entry.low <= value <= entry.high:
-            return f"{entry.name} = {value:.6g} is outside of {entry.low:.6g} to {entry.high:.6g}"
+            return f"{entry.name} = {value:.6g} is outside {entry.low:.6g} to {entry.high:.6g}"
     for constraint in study.constraints:
         if constraint.value(values) is not True:
             return f"the constraint {constraint.text} does not hold"
@@ -77,7 +77,7 @@ def _full_grid(study: Study) -> list[Values]:
     total = math.prod(map(len, axes))
     if total > MOST_VARIANTS:
         what = f"the full grid has {total} variants"
-        todo = f"take fewer steps, at most {MOST_VARIANTS} variants"
+        todo = f"use fewer steps, at most {MOST_VARIANTS} variants"
         raise RecipeError([Fault(f"{study.path}, sampling", what, todo)])
     return [dict(zip(study.names, row)) for row in itertools.product(*axes)]
 
@@ -130,7 +130,7 @@ def _csv_rows(path: Path) -> list[tuple[int, list[str]]]:
     except OSError as error:
         raise FileError(path, f"cannot be read ({error.strerror or error})", "check the path")
     except (UnicodeDecodeError, csv.Error):
-        raise FileError(path, "is no CSV in UTF-8", "save it as such") from None
+        raise FileError(path, "is not a CSV file in UTF-8", "save it as UTF-8") from None
 
 
 def _number(path: Path, line: int, row: list[str], column: int) -> float:
@@ -140,5 +140,5 @@ def _number(path: Path, line: int, row: list[str], column: int) -> float:
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        raise FileError(path, f'"{text}" is no number', "give a number in every column", line)
+        raise FileError(path, f'"{text}" is not a number', "give a number in every column", line)
     return value

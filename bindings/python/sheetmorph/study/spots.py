@@ -42,7 +42,9 @@ def spot_of(told: Any, model: Model, meshes: Mapping[str, PartMesh], where: str)
     if part not in meshes:
         raise _error(where, f'there is no part "{part}"', f"parts are {', '.join(meshes)}")
     if ("vertex" in told) == ("near" in told):
-        raise _error(where, "which vertex is not clear", 'give either "vertex" or "near"')
+        raise _error(
+            where, "it is not clear which vertex is meant", 'give either "vertex" or "near"'
+        )
     mesh = meshes[part]
     if "near" in told:
         off = np.linalg.norm(mesh.points - np.asarray(told["near"], float), axis=1)

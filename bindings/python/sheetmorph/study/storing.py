@@ -54,8 +54,8 @@ class Store:
         try:
             self.out.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            todo = "name another folder with -o"
-            raise FileError(self.out, f"is no folder ({error.strerror})", todo) from None
+            todo = "choose another folder with -o"
+            raise FileError(self.out, f"is not a folder ({error.strerror})", todo) from None
         self._files = [self.out / name for name in names]
         if not (self.out / LOCK).exists():
             for file in self._files:
@@ -166,7 +166,7 @@ class Store:
                 with suppress(FileNotFoundError):  # another worker was faster
                     final.rename(old)
                 shutil.rmtree(old, ignore_errors=True)
-        raise FileError(final, "it cannot be put there", "check the folder and its rights")
+        raise FileError(final, "it cannot be written there", "check the folder and its rights")
 
 
 def _lease_of(made: Path) -> Path:
@@ -210,8 +210,11 @@ def _require_own(folder: Path, row: Row | None) -> None:
         ]
     if foreign:
         told = ", ".join(foreign[:_MOST_NAMES]) + (", ..." if len(foreign) > _MOST_NAMES else "")
-        what = f"it stands where a variant belongs, and holds what this study did not write: {told}"
-        raise FileError(folder, what, "move it away, or name another folder with -o")
+        what = (
+            "a variant belongs there, but it contains files that this study did "
+            f"not write: {told}"
+        )
+        raise FileError(folder, what, "move it away, or choose another folder with -o")
 
 
 def write_json(folder: Path, data: dict[str, dict[str, Any]]) -> None:

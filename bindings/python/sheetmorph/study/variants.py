@@ -93,8 +93,8 @@ class Changes:
         found = value_at(self._recipe, entry.steps)
         is_number = isinstance(found, (int, float)) and not isinstance(found, bool)
         if found is not None and not is_number and entry.name not in self._lines:
-            what = f"a {_kind(found)} stands at its path, no number"
-            raise _error(entry, what, "lead the path on to one of its numbers")
+            what = f"its path leads to a {_kind(found)}, not to a number"
+            raise _error(entry, what, "extend the path to one of its numbers")
 
 
 def _line(entry: Parameter, place_of: Place) -> tuple[Floats, float]:
@@ -107,7 +107,11 @@ def _line(entry: Parameter, place_of: Place) -> tuple[Floats, float]:
     )
     length = float(np.linalg.norm(offset))
     if not length > 0.0:
-        raise _error(entry, "the handle stands at the place its distance is from", "take another")
+        raise _error(
+            entry,
+            "the handle is already at the place from which its distance is measured",
+            "choose another one",
+        )
     return offset / length, length
 
 

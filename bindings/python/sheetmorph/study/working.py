@@ -183,7 +183,7 @@ class Workshop:
         except Exception as error:  # whatever it is, the other variants continue
             text = " ".join(str(error).split())
             known = isinstance(error, RuntimeError) and type(error).__module__.startswith("sheetm")
-            what = text if known else f"a mistake of the program ({type(error).__name__}: {text})"
+            what = text if known else f"a bug of SheetMorph ({type(error).__name__}: {text})"
             return self._without(row, folder, ERROR, what)
 
     def _without(self, row: Row, folder: Path, status: str, why: str) -> Row:
@@ -294,9 +294,9 @@ def work(task: Task) -> Cost:
     with _turn:
         shop = _workshop(task.study)
         if task.run >= len(shop.plan.samples):
-            raise FileError(task.study, "it was changed meanwhile", "start the study again")
+            raise FileError(task.study, "it has changed meanwhile", "start the study again")
         if shop.plan.hash_of(shop.plan.samples[task.run]) != task.key:
-            raise FileError(task.study, "it or its recipe was changed meanwhile", "start it again")
+            raise FileError(task.study, "it or its recipe has changed meanwhile", "start it again")
         return shop.work(task.run, Store(Path(task.out)))
 
 

@@ -58,7 +58,7 @@ std::vector<std::optional<forms::FeatureShape>> shapes_of_sized(const Assembly& 
         shapes.back() = forms::feature_shape(part.mesh, feature.vertices, scatters[feature.part]);
         if (!shapes.back())
             throw in_part({label_of("feature", feature)
-                               + " has a size, but its vertices are no hole, slot or cylinder",
+                               + " has a size, but its vertices are not a hole, slot or cylinder",
                            "pick a whole rim or wall, or leave the size out"},
                           part);
         if (feature.size)

@@ -118,8 +118,7 @@ void hold_loose_pieces(const Part& part, Unheld unheld, PartProblem& problem)
         return;
     if (unheld == Unheld::along)
         return send_along(part, problem);
-    surface::KnownRegion rest{
-        "loose pieces", {}, "what nothing holds:", false, subjects_of("part", part)};
+    surface::KnownRegion rest{"loose pieces", {}, "region", false, subjects_of("part", part)};
     for (const VertexIds& piece : problem.loose)
         rest.vertices.insert(rest.vertices.end(), piece.begin(), piece.end());
     surface.fixed.push_back(std::move(rest));

@@ -39,7 +39,7 @@ VertexIds shared_vertices(const PartRegion& fixed, const PartHandle& handle, int
     throw in_part(
         {label_of("fixed region", assembly.fixed[at(overlap.fixed)]) + " and "
              + label_of("handle", handle) + " share " + Text::counted(moved) + after.str(),
-         is_one ? "take it out of one of the two" : "take them out of one of the two",
+         is_one ? "remove it from one of the two" : "remove them from one of the two",
          FaultCode::overlap},
         part);
 }

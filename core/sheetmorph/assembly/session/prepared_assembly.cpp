@@ -75,7 +75,7 @@ std::shared_ptr<const MotionLink> built_link(const mesh::PartGeometry& source,
     catch (const InvalidInput& fault)
     {
         throw InvalidInput(label + ": " + fault.what(),
-                           "give the contact other vertices, or make it rigid");
+                           "pick other vertices for the contact, or make it rigid");
     }
 }
 
@@ -201,9 +201,9 @@ void refuse_thin_points(const PreparedAssembly& prepared)
     for (const PartPoint& point : prepared.assembly.points)
         if (prepared.thin[at(point.part)])
             throw in_part({label_of("point", point)
-                               + " lies on a thin solid, which cannot be met where all parts are "
-                                 "solved as a whole",
-                           "take a handle of vertices, or \"thin\": false"},
+                               + " lies on a thin solid, which the propagation 'whole' does not "
+                                 "support",
+                           "use a handle of vertices, or \"thin\": false"},
                           prepared.assembly.parts[at(point.part)]);
 }
 

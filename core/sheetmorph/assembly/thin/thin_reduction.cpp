@@ -32,7 +32,7 @@ std::shared_ptr<const ThinPart> found_part(const Part& part)
     if (finding.solid)
         return std::make_shared<const ThinPart>(part.mesh, std::move(*finding.solid));
     if (part.thin == Thin::yes)
-        throw in_part(InvalidInput("it is no thin solid: " + finding.reason), part);
+        throw in_part(InvalidInput("it is not a thin solid: " + finding.reason), part);
     return nullptr;
 }
 

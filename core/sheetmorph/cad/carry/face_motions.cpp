@@ -115,7 +115,7 @@ FaceMotions face_motions(const ShapeMesh& mesh, const Points& result, double tol
     {
         VertexIds vertices = mesh.on_face[static_cast<std::size_t>(f)].vertices;
         if (vertices.empty())
-            throw InvalidInput("face " + std::to_string(f) + " has no mesh to be carried by",
+            throw InvalidInput("face " + std::to_string(f) + " has no mesh that can carry it",
                                "repair it in the CAD system");
         std::sort(vertices.begin(), vertices.end());
         vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());

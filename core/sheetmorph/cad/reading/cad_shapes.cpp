@@ -171,7 +171,7 @@ void read_step(STEPCAFControl_Reader& reader, const std::string& path)
     else
         status = reader.ReadFile(path.c_str());
     if (status != IFSelect_RetDone)
-        throw InvalidInput("it is no STEP file, or a damaged one", "export it again");
+        throw InvalidInput("it is not a STEP file, or it is damaged", "export it again");
 }
 
 // The entities of a STEP file that lost values during reading. Entities that lost only a text keep
@@ -184,10 +184,8 @@ std::vector<std::string> unread_entities(const Interface_InterfaceModel& model)
         const std::string first = all->CFail(1);
         if (first.find("yntax") != std::string::npos || first.find("Parsing") != std::string::npos)
             throw InvalidInput("OpenCASCADE finds " + std::to_string(fails)
-                                   + " syntax errors and would leave out what they say",
-                               "export it "
-                               "again (the first: "
-                                   + first + ")");
+                                   + " syntax errors and would skip those entities",
+                               "export it again (the first: " + first + ")");
     }
     std::vector<std::string> found;
     for (int i = 1; i <= model.NbEntities(); ++i)
@@ -287,7 +285,7 @@ std::shared_ptr<CadSource> source_of_iges(const std::string& path)
     reader.SetColorMode(true);
     reader.SetLayerMode(true);
     if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-        throw InvalidInput("it is no IGES file, or a damaged one", "export it again");
+        throw InvalidInput("it is not an IGES file, or it is damaged", "export it again");
     transfer(reader, *source, "export it again, surfaces as trimmed ones");
     source->lost_faces = count_lost_faces(reader.WS()->TransferReader());
     collect_healed(*source, {});
@@ -317,7 +315,7 @@ std::shared_ptr<CadSource> source_of_brep_text(const std::string& text, const st
             shape.Nullify();
         }
     if (shape.IsNull())
-        throw InvalidInput("it is no shape in BREP format, or a damaged one", "export it again");
+        throw InvalidInput("it is not a BREP file, or it is damaged", "export it again");
     const auto source = std::make_shared<CadSource>();
     const TDF_Label label = source->document.shapes()->AddShape(shape, false, false);
     TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), true));
@@ -334,7 +332,7 @@ std::shared_ptr<CadSource> source_of_file(const std::string& path)
         return source_of_iges(path);
     if (ending == "brep" || ending == "brp")
         return source_of_brep(path, stem_of(path));
-    throw InvalidInput("it is no CAD file", "use .step, .stp, .iges, .igs, .brep or .brp");
+    throw InvalidInput("it is not a CAD file", "use .step, .stp, .iges, .igs, .brep or .brp");
 }
 
 }  // namespace sheetmorph::cad

@@ -185,7 +185,7 @@ double decimal_grain(double tolerance, double unit)
 void check(const CadModel& model, const std::vector<Points>& positions, const CadWriting& writing)
 {
     if (!model.source)
-        throw InvalidInput("the model was not read of a file", "read it again");
+        throw InvalidInput("the model was not read from a file", "read it again");
     if (positions.size() != model.parts.size())
         throw InvalidInput("there must be positions for every part");
     for (std::size_t k = 0; k < positions.size(); ++k)

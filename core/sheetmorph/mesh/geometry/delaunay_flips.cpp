@@ -155,7 +155,7 @@ Convergence flip_to_delaunay(LaidFaces& faces, int most_a_side)
     const std::int64_t most = std::min<std::int64_t>(
         static_cast<std::int64_t>(most_a_side) * static_cast<std::int64_t>(waiting.size()),
         std::numeric_limits<int>::max());
-    Convergence found{"the triangles laid over the sheet", false, 0, 0.0, "of a cotangent"};
+    Convergence found{"the intrinsic triangles of the sheet", false, 0, 0.0, "of a cotangent"};
     while (!waiting.empty() && found.rounds < most)
     {
         const int side = waiting.back();

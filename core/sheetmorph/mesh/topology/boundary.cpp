@@ -240,7 +240,7 @@ VertexIds boundary_loop_at(const TriangleMesh& mesh, int vertex)
             && (smallest.empty() || loop.size() < smallest.size()))
             smallest = loop;
     if (smallest.empty())
-        throw InvalidInput("vertex " + std::to_string(vertex) + " is on no closed rim",
+        throw InvalidInput("vertex " + std::to_string(vertex) + " is not on a closed rim",
                            "pick one at a hole, or at a border that does "
                            "not end where three sheets meet");
     return smallest;

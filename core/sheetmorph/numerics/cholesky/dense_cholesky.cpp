@@ -61,7 +61,9 @@ void factorise_block(WeightsTarget diagonal, WeightsTarget inverse)
     {
         const double pivot = diagonal(k, k);
         if (!(pivot > 0.0))
-            throw SolverError("a dense matrix is not positive definite");
+            throw SolverError(
+                "the constraints do not determine a unique shape (a dense matrix is not positive "
+                "definite)");
         const double root = std::sqrt(pivot);
         diagonal(k, k) = root;
         for (Eigen::Index i = k + 1; i < size; ++i)

@@ -52,8 +52,8 @@ void SparseCholesky::find_values(const SparseMatrix& whole)
     catch (const SolverError&)
     {
         throw SolverError(
-            "it has no unique shape under these constraints (the energy's matrix is not positive "
-            "definite): hold it by a fixed region, and cure its triangles without height");
+            "the constraints do not determine a unique shape (the energy's matrix is not positive "
+            "definite): mark a fixed region on it, and remove its triangles without height");
     }
 }
 

@@ -118,7 +118,7 @@ ThicknessChange thickness_change(const mesh::TriangleMesh& mesh, const ThinSolid
 {
     if (solid.facets.size() != at(mesh.triangle_count())
         || solid.vertices.size() != at(mesh.vertex_count()))
-        throw InvalidInput("the thin solid was found on another mesh", "find it on this one");
+        throw InvalidInput("the thin solid was found on another mesh", "recognise it on this one");
     if (positions.rows() != mesh.vertex_count())
         throw InvalidInput("there are " + std::to_string(positions.rows())
                            + " positions, the mesh has " + std::to_string(mesh.vertex_count())

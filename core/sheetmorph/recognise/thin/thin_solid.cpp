@@ -151,13 +151,13 @@ std::string why_not(const FacetGraph& graph, const SkinPairs& pairs)
     for (int component = 0; component < graph.component_count(); ++component)
         is_any_closed = is_any_closed || graph.is_closed(component);
     if (!is_any_closed)
-        return "its surface is not closed, or not oriented in one way; weld and orient it if it "
-               "should be a solid";
+        return "its surface is not closed, or its facets are not consistently oriented; merge its "
+               "vertices and orient it if it should be a solid";
     const double share = *std::max_element(pairs.share.begin(), pairs.share.end());
     if (share >= least_share_of_skins)
         return "its thickness is more than a tenth of its size; leave it as it is";
-    return "it has no two skins one thickness apart (they would be "
-           + std::to_string(std::lround(100.0 * share)) + " % of its surface); leave it as it is";
+    return "only " + std::to_string(std::lround(100.0 * share))
+           + " % of its surface are two skins one thickness apart; leave it as it is";
 }
 
 // Intermediate results about the facets of a mesh.

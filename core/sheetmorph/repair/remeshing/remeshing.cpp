@@ -44,7 +44,7 @@ void require_three_corners(const Triangles& triangles)
             bad.push_back(t);
     if (!bad.empty())
         throw InvalidInput("triangles with one vertex at two corners: " + list_ids(bad),
-                           "cure the mesh first, that removes them");
+                           "repair the mesh first, which removes them");
 }
 
 double total_area(const TriangleMesh& mesh)
@@ -68,15 +68,15 @@ void check(const TriangleMesh& mesh, const RemeshOptions& options)
     require_three_corners(mesh.triangles());
     if (!(options.edge > 0.0) || !std::isfinite(options.edge))
         throw InvalidInput(
-            "the edge length to remesh with is " + std::to_string(options.edge) + " mm",
-            "give a positive one");
+            "the edge length for remeshing is " + std::to_string(options.edge) + " mm",
+            "give a positive length");
     const double area = total_area(mesh);
     if (needed(area, options.edge) > most_triangles)
         throw InvalidInput(
             "edges of " + std::to_string(options.edge) + " mm would need "
                 + std::to_string(std::lround(std::min(needed(area, options.edge), 1e24) / 1e6))
                 + " million triangles",
-            "give a longer edge, " + std::to_string(std::sqrt(area / 0.433 / 3e5)) + " mm or so");
+            "give a longer edge, about " + std::to_string(std::sqrt(area / 0.433 / 3e5)) + " mm");
 }
 
 // Small facets on bends and near rims can require edges far shorter than the target edge length.

@@ -88,9 +88,9 @@ void settle(Body& body, const mesh::TriangleMesh& mesh)
 [[noreturn]] void refuse_torn(const Body& body, const SurfaceConstraints& constraints,
                               const std::vector<Text>& movers)
 {
-    throw InvalidInput(names_of(body, constraints) + " would be torn between " + movers[0] + " and "
+    throw InvalidInput(names_of(body, constraints) + " touches both " + movers[0] + " and "
                            + movers[1] + ", which can move differently",
-                       "let the rigid shape touch only one", FaultCode::torn);
+                       "let it touch only one of them", FaultCode::torn);
 }
 
 Text motion_label(const FormFeature& feature)

@@ -82,8 +82,9 @@ public:
         if (!can_follow(bodies_[at(follower)]))
             throw InvalidInput(
                 named(constraints_, link)
-                + " cannot be kept: both sides are held by fixed regions, handles, motions or "
-                  "other pairs, or their rotation is not free", "remove one of these or the pair");
+                + " cannot be kept: fixed regions, handles, motions or other pairs already "
+                  "constrain both sides, or their rotation is not free",
+                "remove one of these, or the pair");
         bodies_[at(follower)].following = following;
         bind_tree(follower);
     }

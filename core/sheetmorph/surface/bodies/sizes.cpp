@@ -48,7 +48,7 @@ FeatureShapes resizable_shapes(const mesh::TriangleMesh& mesh,
                     feature.label() + " and "
                         + constraints.features[static_cast<std::size_t>(other)].label()
                         + " share vertices and both have a size",
-                    "take these vertices out of one", FaultCode::overlap);
+                    "remove these vertices from one of them", FaultCode::overlap);
             other = static_cast<int>(k);
         }
     }
@@ -66,11 +66,11 @@ SizeChanges size_changes(const SurfaceConstraints& constraints, const FeatureSha
         const double size = *targets.sizes[k];
         const Text what = constraints.features[k].label();
         if (!shapes[k])
-            throw InvalidInput(what + " has no size that a pose may set", "give it one first");
+            throw InvalidInput(what + " has no size that a pose can set", "give it a size first");
         if (!std::isfinite(size) || size <= shapes[k]->smallest)
-            throw InvalidInput(
-                what + ": a " + shapes[k]->measure() + " of " + shortest(size) + " mm cannot be",
-                "give more than " + shortest(shapes[k]->smallest) + " mm");
+            throw InvalidInput(what + ": a " + shapes[k]->measure() + " of " + shortest(size)
+                                   + " mm is not possible",
+                               "give more than " + shortest(shapes[k]->smallest) + " mm");
         changes[k] = size - shapes[k]->size;
     }
     return changes;

@@ -56,10 +56,10 @@ void mark_handle(VertexRoles& roles, const SurfaceConstraints& constraints, int 
     if (!shared.empty())
         throw InvalidInput(constraints.handles[at(other)].label() + " and " + region.label()
                                + " both move " + Text::counted(shared),
-                           "take these out of one of them", FaultCode::overlap);
+                           "remove these from one of them", FaultCode::overlap);
     if (!moves_something)
         throw InvalidInput("every vertex of " + region.label() + " is fixed, so it cannot move",
-                           "take them out of the fixed region");
+                           "remove them from the fixed region");
 }
 
 // Whether points of a body's own triangles determine its rotation: one with a rotation, or several
@@ -242,7 +242,7 @@ VertexRoles assign_roles(const mesh::TriangleMesh& mesh, const SurfaceConstraint
     const std::vector<int> unheld = find_held_components(roles, mesh, constraints);
     if (!unheld.empty())
         throw InvalidInput(
-            "nothing holds the component of "
+            "nothing constrains the component of "
                 + Text::listed("vertices ", roles.components.vertices(unheld.front())),
             "mark a fixed region or a handle on it, or remove it", FaultCode::unheld);
     const std::vector<char> is_corner = corners_of(mesh);

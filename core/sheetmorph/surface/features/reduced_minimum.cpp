@@ -259,7 +259,7 @@ Eigen::MatrixXd entries_of(const Joints& joints, const PlacementInput& part,
 
 Convergence minimise(Joints& joints, const Measure& measure, double precision)
 {
-    numerics::NewtonLimits limits{"the turns of form features", "radians"};
+    numerics::NewtonLimits limits{"the rotations of form features", "radians"};
     if (joints.freedoms() == 0)
         return {limits.what, true, 0, 0.0, limits.unit};
     limits.most_rounds = most_steps;

@@ -169,7 +169,7 @@ std::string holders(const PreparedSurface& part, std::size_t feature, const std:
             labels.push_back(constraints.features[k].label().full());
     if (labels.empty())
         return "";
-    std::string text = ": " + labels.front();
+    std::string text = ", because " + labels.front();
     for (std::size_t k = 1; k < labels.size(); ++k)
         text += (k + 1 < labels.size() ? ", " : " and ") + labels[k];
     return text + (labels.size() > 1 ? " hold" : " holds") + " the sheet around it";
@@ -205,13 +205,12 @@ void require_reachable_sizes(const PreparedSurface& part, const SizeChanges& siz
     const std::string word = *sizes[feature] > 0.0 ? "largest" : "smallest";
     throw InvalidInput(
         part.constraints.features[feature].label() + ": a " + part.shapes[feature]->measure()
-            + " of " + rounded(part.shapes[feature]->size + *sizes[feature])
-            + " mm would turn over "
+            + " of " + rounded(part.shapes[feature]->size + *sizes[feature]) + " mm would flip "
             + Text::shortened("triangles " + list_ids(overturned),
                               std::to_string(overturned.size())
                                   + (overturned.size() == 1 ? " triangle" : " triangles")),
-        (found.size ? "the " + word + " that can be reached is " + rounded(*found.size) + " mm"
-                    : "the other sizes of this pose turn triangles over too")
+        (found.size ? "the " + word + " possible is " + rounded(*found.size) + " mm"
+                    : "the other sizes of this pose flip triangles too")
             + holders(part, feature, found.overturned));
 }
 

@@ -275,8 +275,7 @@ private:
             is_factorised = problem.factorise(factor_, shift);
         if (!is_factorised)
             throw SolverError("the sheet has no unique shape under these constraints",
-                              "hold it by a fixed "
-                              "region, or choose another energy");
+                              "mark a fixed region on it, or choose another energy");
         NewtonStep found = bounded(tangent.gradient, problem.solve(factor_));
         found.is_exact = false;
         return found;

@@ -122,7 +122,7 @@ void ShellSystem::check_count(std::size_t entries)
         throw SolverError(
             "the sheet has too many vertices for the energy steel and for refine: "
             "about ten million are possible",
-            "take a coarser mesh");
+            "use a coarser mesh");
 }
 
 // Expands couplings of blocks to blocks of the matrix; the columns of a block have the same rows.

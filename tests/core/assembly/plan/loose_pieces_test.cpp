@@ -65,7 +65,7 @@ TEST(LoosePieces, GoRigidlyAlongWithTheNearestPlace)
 
 TEST(LoosePieces, AreRefusedWhereTheAssemblyWantsIt)
 {
-    EXPECT_NE(refusal(two_sheets(Unheld::refuse)).find("nothing holds the component"),
+    EXPECT_NE(refusal(two_sheets(Unheld::refuse)).find("nothing constrains the component"),
               std::string::npos);
 }
 

@@ -347,7 +347,7 @@ TEST(ThinSolid, WhatIsNoThinSolidIsRefusedOrSolvedAsItIs)
     }
     catch (const InvalidInput& fault)
     {
-        EXPECT_NE(std::string(fault.what()).find("part 'plate': it is no thin solid"),
+        EXPECT_NE(std::string(fault.what()).find("part 'plate': it is not a thin solid"),
                   std::string::npos);
     }
     assembly.parts[0].thin = Thin::automatic;

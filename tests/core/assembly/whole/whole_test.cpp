@@ -234,7 +234,7 @@ TEST(Whole, TellsWhatItCannotSolve)
     torn.assembly.fixed = {torn.assembly.contacts[0].b};
     torn.assembly.fixed.front().name = "ground";
     torn.assembly.handles.front().vertices = torn.assembly.contacts[0].a.vertices;
-    EXPECT_NE(refusal(torn).find("torn between a fixed region and handle 'tip'"), std::string::npos)
+    EXPECT_NE(refusal(torn).find("touches both a fixed region and handle 'tip'"), std::string::npos)
         << refusal(torn);
 }
 

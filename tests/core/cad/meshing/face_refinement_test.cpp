@@ -115,7 +115,7 @@ TEST(FaceRefinement, tells_when_it_has_no_more_vertices)
     const Convergence found = refine_face(mesh, plane, sizes);
     EXPECT_FALSE(found.is_converged);
     EXPECT_GT(found.miss, 0.0);
-    EXPECT_EQ(found.sentence().find("the edges of CAD faces have not settled"), 0U);
+    EXPECT_EQ(found.sentence().find("the edges of CAD faces did not converge"), 0U);
 }
 
 TEST(FaceRefinement, fills_a_flat_face_with_well_shaped_triangles)

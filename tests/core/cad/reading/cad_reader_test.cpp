@@ -232,7 +232,7 @@ TEST(CadReader, says_what_is_wrong_with_a_file)
         std::ofstream(path) << "solid of nothing\n";
         EXPECT_THAT(complaint(path), testing::HasSubstr("; ")) << ending;
     }
-    EXPECT_THAT(complaint(folder.file("part.xyz")), testing::HasSubstr("no CAD file"));
+    EXPECT_THAT(complaint(folder.file("part.xyz")), testing::HasSubstr("not a CAD file"));
 }
 
 TEST(CadReader, refuses_sizes_out_of_range)

@@ -74,7 +74,7 @@ TEST(DelaunayFlips, TellWhenTheyEndBefore)
     EXPECT_FALSE(flips.is_converged);
     EXPECT_EQ(flips.rounds, 0);
     EXPECT_DOUBLE_EQ(flips.miss, -worst_cotangent_sum(faces));
-    EXPECT_NE(flips.sentence().find("the triangles laid over the sheet have not settled"),
+    EXPECT_NE(flips.sentence().find("the intrinsic triangles of the sheet did not converge"),
               std::string::npos);
 }
 

@@ -92,7 +92,7 @@ TEST(Surfaces, OfASaddleTheyTellThatTheyDidNotSettle)
         EXPECT_EQ(told.empty(), region.convergence.is_converged);
         if (told.empty())
             continue;
-        EXPECT_EQ(told.find("the triangles of a surface have not settled after 8 rounds"), 0U);
+        EXPECT_EQ(told.find("the triangles of a surface did not converge in 8 iterations"), 0U);
         EXPECT_GT(region.convergence.miss, 0.0);
         ++lost;
     }

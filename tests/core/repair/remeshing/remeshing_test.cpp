@@ -205,7 +205,8 @@ TEST(Remeshing, TellsWhenEdgesAreLeft)
     const Convergence cut = split_long_edges(fine, 5);
     EXPECT_FALSE(cut.is_converged);
     EXPECT_GT(cut.miss, 0.0);
-    EXPECT_EQ(cut.sentence().find("the edges of the new mesh have not settled after 5 rounds"), 0U);
+    EXPECT_EQ(cut.sentence().find("the edges of the new mesh did not converge in 5 iterations"),
+              0U);
     EXPECT_FALSE(flip_to_delaunay(fine, 0).is_converged);
     EXPECT_FALSE(collapse_short_edges(fine, 0).is_converged);
     WorkingMesh coarse = work_with(25.0);

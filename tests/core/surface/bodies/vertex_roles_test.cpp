@@ -50,7 +50,7 @@ TEST(VertexRoles, RefusesHandlesThatOverlap)
     one.targets.handles.emplace_back();
     EXPECT_THAT(refuses(one),
                 ThrowsMessage<InvalidInput>(
-                    AllOf(HasSubstr("'tip' and handle 'other'"), HasSubstr("take these out"))));
+                    AllOf(HasSubstr("'tip' and handle 'other'"), HasSubstr("remove these"))));
 }
 
 TEST(VertexRoles, NamesTheComponentThatNothingHolds)

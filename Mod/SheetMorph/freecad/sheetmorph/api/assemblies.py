@@ -97,13 +97,13 @@ def check_source(assembly, source) -> None:
     label = getattr(source, "Label", repr(source))
     if not (hasattr(source, "isDerivedFrom") and source.isDerivedFrom("Mesh::Feature")):
         todo = "add it with add_shape" if hasattr(source, "Shape") else "choose a mesh"
-        raise ValueError(f"'{label}' is no mesh; {todo}.")
+        raise ValueError(f"'{label}' is not a mesh; {todo}.")
     if source.Document != assembly.Document:
         raise ValueError(f"'{label}' is in another document; copy it into this one first.")
     if source.Mesh.CountFacets == 0:
         raise ValueError(f"The mesh '{label}' has no triangles; choose another one.")
     if any(source in (part, part.Source, part.Original) for part in parts(assembly)):
-        raise ValueError(f"'{label}' already is in the morph '{assembly.Label}'.")
+        raise ValueError(f"'{label}' is already in the morph '{assembly.Label}'.")
     if deformation_of(assembly) in source.OutListRecursive:
         raise ValueError(f"'{label}' depends on the morph '{assembly.Label}'; choose another mesh.")
 
@@ -186,7 +186,7 @@ def set_unheld(assembly, way: str) -> None:
     """
     require_assembly(assembly)
     if way not in UNHELD:
-        raise ValueError(f"'{way}' cannot become of them; choose {', '.join(UNHELD)}.")
+        raise ValueError(f"Unconstrained pieces cannot '{way}'; choose {', '.join(UNHELD)}.")
     assembly.Unheld = way
 
 
@@ -225,7 +225,7 @@ def remove_dependents(obj) -> None:
                 obj.Document.removeObject(relation.Name)
     elif not what:
         raise ValueError(
-            f"'{obj.Label}' is no assembly, part, region or contact; delete it yourself."
+            f"'{obj.Label}' is not an assembly, part, region or contact; delete it in the tree."
         )
 
 

@@ -31,7 +31,7 @@ def import_cad(assembly, path: str | os.PathLike, mesh: dict | None = None) -> l
     require_assembly(assembly)
     package = kernel.load()
     if not package.files.is_cad(path):
-        raise ValueError(f"{Path(path).name} is no CAD file; use import_part.")
+        raise ValueError(f"{Path(path).name} is not a CAD file; use import_part.")
     return add_model(assembly, read_file(path, mesh).model)
 
 

@@ -17,10 +17,10 @@ def refuse_link(source) -> None:
     if str(getattr(source, "TypeId", "")).startswith("App::Link"):
         linked = source.getLinkedObject(True)
         if linked in (None, source):
-            raise ValueError(f"'{source.Label}' is a link to nothing; choose a mesh or a shape.")
+            raise ValueError(f"The link '{source.Label}' has no target; choose a mesh or a shape.")
         raise ValueError(
-            f"'{source.Label}' is a link; a morph deforms objects themselves: choose "
-            f"'{linked.Label}', which it links to, or a copy of that where the link is."
+            f"A morph cannot deform the link '{source.Label}'; choose the object "
+            f"'{linked.Label}' that it links to, or a copy of it."
         )
 
 
@@ -28,7 +28,7 @@ def require_kind(obj, wanted: str, word: str) -> None:
     """Raise ValueError unless `obj` is a SheetMorph object of the wanted kind."""
     if kind(obj) != wanted:
         label = getattr(obj, "Label", repr(obj))
-        raise ValueError(f"'{label}' is no {word} of SheetMorph; pass a {word}.")
+        raise ValueError(f"'{label}' is not a SheetMorph {word}; pass one.")
 
 
 def require_assembly(obj) -> None:
@@ -55,7 +55,10 @@ def require_role(region, role: str) -> None:
     """Raise ValueError unless `region` is a region of that role."""
     require_kind(region, model.REGION, "region")
     if region.Role != role:
-        raise ValueError(f"Region '{region.Label}' is {region.Role}, not {role}; pass a {role}.")
+        raise ValueError(
+            f"Region '{region.Label}' has the role '{region.Role}', not '{role}'; "
+            "pass a region with that role."
+        )
 
 
 def require_features_of(assembly, features: list) -> None:
@@ -66,7 +69,7 @@ def require_features_of(assembly, features: list) -> None:
         if assembly_of(feature) != assembly:
             raise ValueError(f"'{feature.Label}' is not in '{assembly.Label}'; pass its features.")
     if len(set(features)) < 2 or len(set(features)) < len(features):
-        raise ValueError("Two different form features are needed; pass at least two, each once.")
+        raise ValueError("Pass at least two different form features.")
 
 
 def vertex_count(part) -> int:
@@ -111,10 +114,8 @@ def indices(values: Iterable[int], count: int, word: str) -> np.ndarray:
     if given.size == 0:
         raise ValueError(f"No {word} was given; pick at least one.")
     if not np.issubdtype(given.dtype, np.integer) or given.ndim != 1:
-        raise ValueError(f"Every {word} is a whole number, its index in the mesh; pass those.")
+        raise ValueError(f"A {word} is given by its index in the mesh; pass whole numbers.")
     outside = given[(given < 0) | (given >= count)]
     if outside.size:
-        raise ValueError(
-            f"There is no {word} {outside[0]}, the mesh has 0 .. {count - 1}; pick again."
-        )
+        raise ValueError(f"The mesh has no {word} {outside[0]}, only 0 to {count - 1}; pick again.")
     return np.unique(given.astype(np.int64))

@@ -46,7 +46,7 @@ def import_deck(
     require_assembly(assembly)
     file = read_file(path)
     if file.properties is None:
-        raise ValueError(f"{Path(path).name} is no deck; use import_part.")
+        raise ValueError(f"{Path(path).name} is not a deck; use import_part.")
     splitting = kernel.splitting()
     way = splitting.usual_split(file) if split is None else split
     rows = splitting.split_triangles(file, way) if way else {"": np.arange(len(file.properties))}

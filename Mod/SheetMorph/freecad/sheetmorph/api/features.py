@@ -84,7 +84,7 @@ def set_size(feature, size: float | None) -> None:
     found = shape_of(feature)
     if found is None:
         raise ValueError(
-            f"'{feature.Label}' is no hole, slot or cylinder, so it has no size to set; "
+            f"'{feature.Label}' is not a hole, slot or cylinder, so it has no size; "
             "pick a whole rim or wall."
         )
     if wanted <= 0.0:
@@ -109,8 +109,8 @@ def group(assembly, features: Iterable, label: str = "Group"):
     require_features_of(assembly, members)
     if len({feature.Part for feature in members}) > 1:
         raise ValueError(
-            "The form features are on several parts, and a group is on one; join the parts by a "
-            "rigid contact."
+            "A group needs form features of one part, and these are on several; "
+            "join the parts with a rigid contact."
         )
     return add_relation(assembly, GROUP, members, label)
 

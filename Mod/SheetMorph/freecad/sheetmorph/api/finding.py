@@ -229,7 +229,7 @@ def _find(parts: list, options: dict, *, contacts: bool):
     try:
         wanted = FindOptions().changed(values)
     except TypeError as error:
-        raise ValueError(f"{error}; options are told in finding.md.") from None
+        raise ValueError(f"{error}; finding.md describes the options.") from None
     for what, todo in wanted.faults():
         raise ValueError(f"{what}; {todo}.")
     meshes = [

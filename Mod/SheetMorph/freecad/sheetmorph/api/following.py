@@ -36,7 +36,7 @@ class Unbound(ValueError):
         names = ", ".join(f"'{name}': [x, y, z]" for name in list(unbound)[:MOST_SHOWN])
         super().__init__(
             f"'{part.Label}' changed too much for a certain match: {'; '.join(told)}. "
-            f"Pass bindings={{{names}}} with the place that is meant, or delete the region first."
+            f"Pass bindings={{{names}}} with the right places, or delete the region first."
         )
 
 
@@ -148,7 +148,11 @@ class Follower:
             raise
         except ValueError as error:
             vertices, where, _ = self.nearest(owner, side, answer)
-            return vertices, where, f"'{owner.Label}' keeps its vertices alone: {error}."
+            return (
+                vertices,
+                where,
+                f"'{owner.Label}' keeps its vertices without a selector: {error}.",
+            )
         return found.chosen.vertices, json.dumps(found.where), text
 
     def answer(self, owner, side: str) -> Any:
@@ -174,5 +178,7 @@ def place_of(answer, owner) -> np.ndarray:
     """Return the position that the user gave as an answer, or raise ValueError."""
     place = np.asarray(answer, dtype=float)
     if place.shape != (3,) or not np.isfinite(place).all():
-        raise ValueError(f"The binding of '{owner.Label}' is no place [x, y, z] and no selector.")
+        raise ValueError(
+            f"The binding of '{owner.Label}' is neither a place [x, y, z] nor a selector."
+        )
     return place

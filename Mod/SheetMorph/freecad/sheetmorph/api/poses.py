@@ -84,7 +84,9 @@ def copy_as_meshes(assembly, pose=None, label: str | None = None):
     """
     require_assembly(assembly)
     if pose is not None and assembly_of_poses(pose, pose) != assembly:
-        raise ValueError(f"'{pose.Label}' is no pose of '{assembly.Label}'; pass one of its own.")
+        raise ValueError(
+            f"'{pose.Label}' is not a pose of '{assembly.Label}'; pass one of its poses."
+        )
     found = solving.deform(assembly) if pose is None else deform_in(assembly, pose)
     document = assembly.Document
     group = document.addObject("App::DocumentObjectGroup", "Meshes")
@@ -137,7 +139,7 @@ def add_named_poses(assembly, recipe: dict, regions: dict) -> None:
         add_pose(assembly, label, still | kept, sizes_of(assembly) | sizes)
         if len(known) < len(entries):
             FreeCAD.Console.PrintWarning(
-                f"SheetMorph: pose '{label}' is kept without targets of points.\n"
+                f"SheetMorph: pose '{label}' was saved without the targets of points.\n"
             )
 
 
@@ -156,7 +158,7 @@ def assembly_of_poses(first, second):
         require_kind(pose, model.POSE, "pose")
     owners = {model.assembly_of(pose) for pose in given}
     if len(owners) > 1 or None in owners:
-        raise ValueError("The poses are not of one assembly; pass two of the same.")
+        raise ValueError("The poses belong to different assemblies; pass two of one assembly.")
     return owners.pop()
 
 

@@ -102,10 +102,10 @@ def wanted_of(cures: dict):
     module = prepared_module()
     unknown = sorted(set(cures) - {"weld", "edge", "rims", "scale"})
     if unknown:
-        raise ValueError(f"There is no cure '{unknown[0]}'; there are weld, edge, rims and scale.")
+        raise ValueError(f"There is no repair '{unknown[0]}'; use weld, edge, rims or scale.")
     rims = cures.get("rims", "polygon")
     if rims not in module.RIMS:
-        raise ValueError(f"Rims are kept as a polygon or put on a circle, not on a '{rims}'.")
+        raise ValueError(f"Rims cannot become '{rims}'; use {' or '.join(map(repr, module.RIMS))}.")
     weld, edge = cures.get("weld"), cures.get("edge")
     return module.Wanted(
         None if weld is None else positive(weld, "weld tolerance", least=0.0),
@@ -126,7 +126,8 @@ def split_part(part) -> list:
     assembly = assembly_of(checked(part))
     if marked := model.regions(assembly, part) + model.contacts(assembly, part):
         raise ValueError(
-            f"'{part.Label}' has '{marked[0].Label}' on it: split it first, then mark its pieces."
+            f"'{marked[0].Label}' is marked on '{part.Label}': split the part "
+            "first, then mark its pieces."
         )
     kept = read_kept(part)
     whole = package_mesh(kept.frame.to_global(kept.points), kept.triangles)
@@ -179,7 +180,7 @@ def checked(part):
     """Return a part in an assembly, or raise ValueError."""
     require_kind(part, model.PART, "part")
     if assembly_of(part) is None:
-        raise ValueError(f"'{part.Label}' is in no morph: drag it back into its group.")
+        raise ValueError(f"'{part.Label}' is not in a morph: drag it back into its group.")
     return part
 
 

@@ -65,7 +65,7 @@ def set_propagation(
         names = ", ".join(PROPAGATIONS)
         raise ValueError(f"The propagation '{kind}' does not exist; choose one of {names}.")
     if levels is not None and not (isinstance(levels, int) and 1 <= levels <= 5):
-        raise ValueError(f"There are 1 to 5 levels of a control mesh, not {levels}; try 3.")
+        raise ValueError(f"A control mesh has 1 to 5 levels, not {levels}; try 3.")
     weight = None if smoothness is None else number(smoothness, "smoothness")
     if weight is not None and weight <= 0.0:
         raise ValueError(f"The smoothness is {weight}; pass a number above 0, such as 0.05.")

@@ -145,10 +145,15 @@ def take_out(region, other) -> None:
     for each in (region, other):
         require_kind(each, model.REGION, "region")
     if region.Part is None or region.Part != other.Part:
-        raise ValueError(f"'{region.Label}' and '{other.Label}' are not on one part; pass two.")
+        raise ValueError(
+            f"'{region.Label}' and '{other.Label}' are on different parts; pass two "
+            "regions of one part."
+        )
     left = np.setdiff1d(model.vertices(region), model.vertices(other))
     if len(left) == 0:
-        raise ValueError(f"'{other.Label}' has all of '{region.Label}'; delete one of them.")
+        raise ValueError(
+            f"'{other.Label}' contains all vertices of '{region.Label}'; delete one of them."
+        )
     set_vertices(region, left.tolist())
 
 
@@ -160,7 +165,9 @@ def hold_loose_pieces(part, label: str = "At rest"):
     require_kind(part, model.PART, "part")
     loose = loose_vertices(part)
     if len(loose) == 0:
-        raise ValueError(f"Something holds every piece of '{part.Label}'; there is none to fix.")
+        raise ValueError(
+            f"Every piece of '{part.Label}' is already constrained; there is nothing to fix."
+        )
     return add_fixed(model.assembly_of(part), part, loose.tolist(), label)
 
 

@@ -38,7 +38,7 @@ def replace_file(
     """
     preparing.checked(part)
     if getattr(part, "Deck", None) is not None:
-        raise ValueError(f"'{part.Label}' is a part of a deck; import the changed deck anew.")
+        raise ValueError(f"'{part.Label}' is a part of a deck; import the changed deck again.")
     found = replaced(part, Read(part, Path(path), mesh), bindings)
     part.ShapeSource, part.ShapeRead, part.SourceChanged = None, "", False
     return found
@@ -54,8 +54,8 @@ def follow_shape(part, bindings: dict | None = None) -> dict:
     source = preparing.checked(part).ShapeSource
     if source is None:
         raise ValueError(
-            f"'{part.Label}' follows no shape: it was not made from one of this document, or that "
-            "was deleted."
+            f"'{part.Label}' has no shape to follow: it was not made from a shape "
+            "of this document, or that shape was deleted."
         )
     check_shape(assembly_of(part), source)
     how = shape_source.how_read(part)
@@ -63,8 +63,9 @@ def follow_shape(part, bindings: dict | None = None) -> dict:
     model_now = read_shape(source, placement, part.Label, how["mesh"])
     if len(model_now.parts) != how["of"]:
         raise ValueError(
-            f"'{source.Label}' has {len(model_now.parts)} solids now and had {how['of']}: which of "
-            f"them is '{part.Label}' is not known; add the shape again."
+            f"'{source.Label}' now has {len(model_now.parts)} solids instead of "
+            f"{how['of']}, so the one for '{part.Label}' is unknown; add the shape "
+            "again."
         )
     found = replaced(part, ReadShape(model_now, how["number"]), bindings)
     shape_source.remember(part, source, {k: v for k, v in how.items() if k != "look"})
@@ -116,7 +117,10 @@ class Read:
         is_cad = package.files.is_cad(path)
         if is_cad and part.FileData or part.ShapeData and not is_cad:
             wanted = "mesh" if is_cad else "CAD"
-            raise ValueError(f"'{part.Label}' is of a {wanted} file; choose another state of that.")
+            raise ValueError(
+                f"'{part.Label}' comes from a {wanted} file; choose a changed version "
+                "of that file."
+            )
         if not is_cad:
             self.mesh = read_file(path).mesh.with_indices()
             return
@@ -134,8 +138,8 @@ def solid_like(part, meshes: list, path: Path) -> int:
     if names.count(part.Label) != 1:
         shown = ", ".join(f'"{name}"' for name in names[:8])
         raise ValueError(
-            f"{path.name} has {len(names)} solids and no single one called '{part.Label}': give "
-            f"the part the name of one of them, {shown}."
+            f"{path.name} has {len(names)} solids, and not exactly one is called "
+            f"'{part.Label}': rename the part to one of {shown}."
         )
     return names.index(part.Label)
 
@@ -158,8 +162,8 @@ def tell_guessed(part, moved: list, told: dict[str, str]) -> None:
     for owner, _, vertices, where in moved:
         if not where and owner.Name not in told:
             told[owner.Name] = (
-                f"'{owner.Label}' knew its vertices alone: it has the {len(vertices)} nearest "
-                f"ones of '{part.Label}' now."
+                f"'{owner.Label}' had vertices but no selector: it now has the "
+                f"{len(vertices)} nearest vertices of '{part.Label}'."
             )
 
 
@@ -167,8 +171,8 @@ def tell_of_shape(part, told: dict[str, str]) -> None:
     """Tell of a deformed shape, which is of the mesh before."""
     if part.DeformedShape is not None:
         told[part.DeformedShape.Name] = (
-            f"'{part.DeformedShape.Label}' is of the shape before: Deformed Shape or Export Parts "
-            "brings it up to date."
+            f"'{part.DeformedShape.Label}' is out of date: update it with Deformed "
+            "Shape or Export Parts."
         )
 
 

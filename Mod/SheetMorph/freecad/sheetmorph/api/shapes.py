@@ -39,8 +39,8 @@ def _require_unfolded(part, positions) -> None:
     fold = package.shape_report.fold_of(kernel.core(), mesh, positions)
     if fold:
         raise MorphError(
-            f"The mesh of part '{part.Label}' folds ({fold}), and so would the faces of its shape: "
-            "turn its handles less, or mesh it finer."
+            f"The mesh of part '{part.Label}' folds ({fold}), so the faces of its "
+            "shape would fold too: turn its handles less, or use a finer mesh."
         )
 
 

@@ -95,7 +95,7 @@ def write_study(study, folder: str | os.PathLike) -> Path:
     assembly, place = owner_of(study), Path(folder)
     parameters = kept_parameters(study)
     if not parameters:
-        raise ValueError(f"The study '{study.Label}' changes nothing yet; add a parameter.")
+        raise ValueError(f"The study '{study.Label}' has no parameter yet; add one.")
     place.mkdir(parents=True, exist_ok=True)
     names = recipes.names_of(assembly)
     path = export_recipe(assembly, place / RECIPE)
@@ -145,7 +145,7 @@ def apply_variant(study, run: int) -> None:
         raise ValueError(f"The study '{study.Label}' has no run {run}; compute it first.")
     told = [one for one in kept_parameters(study) if one.name in row["parameters"]]
     if not told:
-        raise ValueError(f"Run {run} of '{study.Label}' is of other parameters; compute it again.")
+        raise ValueError(f"Run {run} of '{study.Label}' has other parameters; compute it again.")
     for one in told:
         numbers.set_number(owner_in(study, one), one.number, row["parameters"][one.name])
 
@@ -189,7 +189,9 @@ def value_of(variable: Variable) -> float:
         return found
     shape = shape_of(variable.owner)
     if shape is None:
-        raise ValueError(f"'{variable.owner.Label}' is no hole, slot or cylinder; it has no size.")
+        raise ValueError(
+            f"'{variable.owner.Label}' is not a hole, slot or cylinder, so it has no size."
+        )
     return shape.size
 
 
@@ -215,16 +217,20 @@ def check(assembly, settings: dict[str, Any]) -> None:
     if unknown:
         raise ValueError(f"A study has no '{unknown.pop()}'; see set_study.")
     if settings.get("sampling", METHODS[0]) not in METHODS:
-        raise ValueError(f"'{settings['sampling']}' is no sampling; choose {', '.join(METHODS)}.")
+        raise ValueError(
+            f"'{settings['sampling']}' is not a sampling method; choose {', '.join(METHODS)}."
+        )
     if settings.get("count", 1) < 1:
         raise ValueError("The count must be 1 or more.")
     tools.criteria_in(settings.get("criteria", ""))
     known = {(one.owner.Name, one.number): one for one in variables(assembly)}
     for name, owner, told, low, high in settings.get("parameters", ()):
         if (owner.Name, told) not in known:
-            raise ValueError(f"'{name}': '{owner.Label}' has no number '{told}' to change.")
+            raise ValueError(f"'{name}': '{owner.Label}' has no number '{told}'.")
         if not number(low, "low") <= number(high, "high"):
-            raise ValueError(f"'{name}' goes from {low} to {high}; turn them round.")
+            raise ValueError(
+                f"The range of '{name}' goes from {low} to {high}; swap the two numbers."
+            )
         value_of(known[owner.Name, told])
     names = [entry[0].strip() for entry in settings.get("parameters", ())]
     if "" in names or len(set(names)) < len(names):

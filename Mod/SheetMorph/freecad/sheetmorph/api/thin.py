@@ -29,7 +29,7 @@ def set_thin(part, thin: str | bool | float) -> None:
     elif thin == "auto":
         part.Thin = THIN_AUTOMATIC
     elif isinstance(thin, (bool, str)):
-        raise ValueError(f'A part is no "{thin}" thin solid; pass "auto", False or a thickness.')
+        raise ValueError(f'Thin cannot be "{thin}"; pass "auto", False or a thickness.')
     else:
         thickness = number(thin, "thickness")
         if thickness <= 0.0:
@@ -73,8 +73,9 @@ def propose_thin(part) -> bool:
         return False
     set_thin(part, "auto")
     FreeCAD.Console.PrintMessage(
-        f"SheetMorph: '{part.Label}' is a sheet {solid.thickness:.3g} mm thick: it bends as one, "
-        "both skins together. Its property Thin switches that off.\n"
+        f"SheetMorph: '{part.Label}' is a sheet {solid.thickness:.3g} mm thick, "
+        "so its two skins bend together. Set its property Thin to switch this "
+        "off.\n"
     )
     return True
 
@@ -88,7 +89,7 @@ def add_through_holes(assembly, part, label: str = "Hole") -> list:
     require_part_of(assembly, part)
     solid, reason = thin_solid(part)
     if solid is None:
-        raise ValueError(f"'{part.Label}' has no two skins: {reason}.")
+        raise ValueError(f"'{part.Label}' is not a thin solid: {reason}.")
     marked = [set(model.vertices(region).tolist()) for region in model.regions(assembly, part)]
     return [
         add_feature(assembly, part, hole.vertices.tolist(), label)

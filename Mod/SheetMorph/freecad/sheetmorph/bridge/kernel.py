@@ -43,8 +43,9 @@ def load() -> ModuleType:
     found = getattr(core, "KERNEL_API", None)
     if found != KERNEL_API:
         raise KernelError(
-            f"The kernel speaks version {found} of its interface, this workbench needs version "
-            f"{KERNEL_API}: the two come from different versions of SheetMorph. {REPAIR}"
+            f"The kernel has interface version {found}, but this workbench needs "
+            f"version {KERNEL_API}: they come from different versions of "
+            f"SheetMorph. {REPAIR}"
         )
     return package
 

@@ -281,7 +281,7 @@ class SessionCache:
         rest = outcome.morph.rests.get(part.Name)
         if rest is None:
             raise MorphError(
-                f"Part '{part.Label}' is in no morph: drag it back into its group.", part
+                f"Part '{part.Label}' is not in a morph: drag it back into its group.", part
             )
         kept = self._writers.get(part.Name)
         if kept is None or not np.array_equal(kept.triangles, rest.triangles):
@@ -319,11 +319,14 @@ def status_of(morph: Morph, found: Findings) -> str:
         return "At rest: mark a fixed region and a handle."
     notes = []
     if morph.ignored:
-        notes.append(f"Without a part and ignored: {', '.join(morph.ignored)}.")
+        notes.append(f"Ignored, because they have no part: {', '.join(morph.ignored)}.")
     if found.unreached:
-        notes.append(f"Not reached from the primary, left at rest: {', '.join(found.unreached)}.")
+        notes.append(
+            "No contact reaches these parts, so they stay at rest: "
+            f"{', '.join(found.unreached)}."
+        )
     if found.unsettled:
-        notes.append(f"Not solved to its end: {found.unsettled} Turn handles less.")
+        notes.append(f"Not converged: {found.unsettled} Turn the handles less.")
     return " ".join(notes) or "Up to date."
 
 
@@ -393,5 +396,7 @@ def cache_of(obj) -> SessionCache:
     assembly = assembly_of(obj)
     deformation = deformation_of(assembly) if assembly is not None else None
     if deformation is None:
-        raise MorphError(f"'{obj.Label}' is no complete morph: pass one, or undo a deletion in it.")
+        raise MorphError(
+            f"'{obj.Label}' is not a complete morph: pass another one, or undo a deletion in it."
+        )
     return deformation.Proxy.cache()

@@ -102,7 +102,7 @@ def write_files(files, assembly, morph, place: tuple) -> tuple[list[Path], list[
             whole = decks.whole(file, parts, morph.rests, positions)
             told.append(file.told(whole))
             if told[-1]["failures"]:
-                todo = f"move less, or let '{owner.Label}' tell of broken joints"
+                todo = f"move less, or set '{owner.Label}' to report broken joints"
                 raise MorphError("; ".join([*told[-1]["failures"][:5], todo]))
             written = file.write_into(files, paths[-1], whole)
             if not all(morph.rests[part.Name].frame.is_unmoved() for part in parts):

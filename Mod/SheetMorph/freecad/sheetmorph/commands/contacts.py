@@ -16,8 +16,8 @@ class MarkContact(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_MarkContact", "Mark Contact…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_MarkContact",
-        "Joins two parts where they touch, so that one follows the other; select both, or click "
-        "on them in the panel",
+        "Joins two parts where they touch, so that one follows the other. Select "
+        "both parts, or click on them in the 3D view",
     )
 
     def possible(self) -> bool:
@@ -40,7 +40,7 @@ class Propagation(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_Propagation", "Propagation…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_Propagation",
-        "Shows how the motion goes from the primary part through the contacts to the others",
+        "Shows how the motion spreads from the primary part through the contacts",
     )
 
     def possible(self) -> bool:
@@ -61,7 +61,8 @@ class SetPrimary(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_SetPrimary", "Set as Primary")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_SetPrimary",
-        "Makes the selected part the primary: it is deformed first, the others follow it",
+        "Makes the selected part the primary part, which is deformed first; the "
+        "others follow it",
     )
 
     def possible(self) -> bool:

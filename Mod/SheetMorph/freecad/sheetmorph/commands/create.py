@@ -45,8 +45,12 @@ def ask_edge() -> float | None:
     The dialog repeats its question until the text is a valid length.
     """
     title = translate("SheetMorph_ImportPart", "Mesh CAD Shapes")
-    wanted = translate("SheetMorph_ImportPart", "Longest edge (0 mm: a hundredth of the size)")
-    refused = translate("SheetMorph_ImportPart", "“{0}” is no length; type one such as 5 mm.")
+    wanted = translate(
+        "SheetMorph_ImportPart", "Maximum edge length (0 = automatic, 1/100 of the size)"
+    )
+    refused = translate(
+        "SheetMorph_ImportPart", "“{0}” is not a length. Enter a length such as 5 mm."
+    )
     asked, text, is_given = wanted, "0 mm", True
     while is_given:
         normal = QtWidgets.QLineEdit.Normal
@@ -108,7 +112,7 @@ class CreateMorph(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_CreateMorph", "Create Morph")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_CreateMorph",
-        "Creates a morph; selected meshes and shapes become its parts and stay as they are",
+        "Creates a morph from the selected meshes and shapes, which stay " "unchanged",
     )
 
     def possible(self) -> bool:
@@ -137,7 +141,7 @@ class AddPart(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_AddPart", "Add Part")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_AddPart",
-        "Adds the selected meshes and shapes to the morph as parts that deform",
+        "Adds the selected meshes and shapes to the morph as parts",
     )
 
     def possible(self) -> bool:
@@ -148,7 +152,12 @@ class AddPart(Command):
         """Add all of them in one undo step."""
         shapes = subject.shapes()
         if not (shapes or subject.meshes() or subject.links()):
-            raise ValueError(translate("SheetMorph_AddPart", "What is selected has no faces."))
+            raise ValueError(
+                translate(
+                    "SheetMorph_AddPart",
+                    "The selected objects have no faces. Select meshes or shapes.",
+                )
+            )
         edge = ask_edge() if shapes else 0.0
         before = set(App.ActiveDocument.Objects)
         if edge is not None and actions.attempt(
@@ -164,8 +173,8 @@ class ReplaceFile(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_ReplaceFile", "Replace File…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_ReplaceFile",
-        "Reads the changed file of the selected part; what was picked on it is found again, and "
-        "what came out different is told and selected",
+        "Reads the changed file of the selected part and finds its regions on "
+        "the new mesh; regions that changed are listed and selected",
     )
 
     def possible(self) -> bool:
@@ -195,8 +204,9 @@ class FollowShape(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_FollowShape", "Follow Shape")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_FollowShape",
-        "Meshes the body or shape that the selected part was made from as it is now; what was "
-        "picked is found again, and what came out different is told and selected",
+        "Meshes the changed body or shape of the selected part again and finds "
+        "its regions on the new mesh; regions that changed are listed and "
+        "selected",
     )
 
     def possible(self) -> bool:
@@ -269,8 +279,7 @@ class ImportPart(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_ImportPart", "Import Part…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_ImportPart",
-        "Imports a mesh as a part, with its exact positions, every property of a deck, or every "
-        "solid of a CAD file, meshed",
+        "Imports a mesh, every property of a deck, or every solid of a CAD file " "as parts",
     )
 
     def possible(self) -> bool:

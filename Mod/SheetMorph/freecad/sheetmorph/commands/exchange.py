@@ -50,11 +50,11 @@ def asked_to_write(title: str, owner, place: str) -> dict[str, str] | None:
         return {}
     text = translate(
         "SheetMorph_ExportParts",
-        "These files are there already, and SheetMorph did not write them as they are now:",
+        "These files already exist, and SheetMorph did not write their current " "content:",
     )
     names = "\n".join(file.name for file in found[:MOST_NAMES])
     names += "\n…" if len(found) > MOST_NAMES else ""
-    question = translate("SheetMorph_ExportParts", "Write over them?")
+    question = translate("SheetMorph_ExportParts", "Overwrite them?")
     box = QtWidgets.QMessageBox
     answer = box.question(
         Gui.getMainWindow(), title, f"{text}\n\n{names}\n\n{question}", box.Yes | box.No, box.No
@@ -69,7 +69,7 @@ class ExportParts(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_ExportParts", "Export Parts…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_ExportParts",
-        "Writes all deformed parts into a folder, each in its own file format",
+        "Writes all deformed parts to a folder, each in its original file format",
     )
     alters = False
 
@@ -97,7 +97,8 @@ class Certify(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_Certify", "Certificate…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_Certify",
-        "Writes all deformed parts into a folder, reads them again, measures and judges them",
+        "Writes all deformed parts to a folder, reads them back, and checks them "
+        "against criteria",
     )
     alters = False
 
@@ -157,7 +158,7 @@ class ImportRecipe(Command):
     name = "SheetMorph_ImportRecipe"
     text = QT_TRANSLATE_NOOP("SheetMorph_ImportRecipe", "Import Recipe…")
     tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_ImportRecipe", "Creates a morph from a recipe and the mesh files it names"
+        "SheetMorph_ImportRecipe", "Creates a morph from a recipe and its mesh files"
     )
 
     def possible(self) -> bool:
@@ -180,7 +181,7 @@ class OpenExample(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_OpenExample", "Open Example…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_OpenExample",
-        "Opens an example assembly whose regions are marked, ready to move",
+        "Opens an example assembly that is ready to move",
     )
 
     def possible(self) -> bool:

@@ -21,7 +21,7 @@ class FeatureSettings(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_FeatureSettings", "Form Feature Settings…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_FeatureSettings",
-        "Says how the selected form feature turns, what it may do, and which size it has",
+        "Sets the rotation, the motion and the size of the selected form feature",
     )
 
     def possible(self) -> bool:
@@ -63,7 +63,7 @@ class GroupFeatures(_Relate):
     most = 10000
     text = QT_TRANSLATE_NOOP("SheetMorph_GroupFeatures", "Group Form Features")
     tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_GroupFeatures", "Lets the selected form features of a part move as one body"
+        "SheetMorph_GroupFeatures", "Moves the selected form features of a part as one rigid body"
     )
 
 
@@ -75,7 +75,7 @@ class MakeCoaxial(_Relate):
     text = QT_TRANSLATE_NOOP("SheetMorph_MakeCoaxial", "Make Coaxial")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_MakeCoaxial",
-        "Lets two selected form features, of one part or of two, keep their common axis",
+        "Keeps two selected form features on a common axis, on one part or on two",
     )
 
 
@@ -87,5 +87,5 @@ class KeepDistance(_Relate):
     text = QT_TRANSLATE_NOOP("SheetMorph_KeepDistance", "Keep Distance")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_KeepDistance",
-        "Lets two selected form features, of one part or of two, keep their distance",
+        "Keeps the distance between two selected form features, on one part or " "on two",
     )

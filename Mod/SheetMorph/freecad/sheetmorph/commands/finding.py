@@ -15,7 +15,7 @@ class FindFeatures(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_FindFeatures", "Find Features…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_FindFeatures",
-        "Finds holes and other features on all parts; those you accept become form features",
+        "Finds holes and other features on all parts; the ones you accept become " "form features",
     )
 
     def possible(self) -> bool:
@@ -36,7 +36,7 @@ class FindContacts(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_FindContacts", "Find Contacts…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_FindContacts",
-        "Finds where parts lie on each other or are bolted; those you accept become contacts",
+        "Finds where parts touch or are bolted; the ones you accept become " "contacts",
     )
 
     def possible(self) -> bool:

@@ -14,7 +14,8 @@ class OpenGuide(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Guide")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_Guide",
-        "Leads through a morph step by step: says what is missing and opens what is needed",
+        "Guides you through a morph step by step: shows what is missing and "
+        "opens the right panel",
     )
     alters = False
 

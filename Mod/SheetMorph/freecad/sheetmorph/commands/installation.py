@@ -17,7 +17,7 @@ class CheckInstallation(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_CheckInstallation", "Check Installation")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_CheckInstallation",
-        "Shows whether the deformation kernel works, as a report to copy",
+        "Checks the deformation kernel and shows a report that you can copy",
     )
     alters = False
     needs_kernel = False

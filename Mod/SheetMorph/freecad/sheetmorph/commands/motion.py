@@ -16,7 +16,7 @@ class MoveHandle(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_MoveHandle", "Move Handle…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_MoveHandle",
-        "Moves and turns a handle; the parts follow while you change the values",
+        "Moves and turns a handle; the parts follow as you change the values",
     )
 
     def possible(self) -> bool:
@@ -37,7 +37,7 @@ class ResetMotion(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_ResetMotion", "Reset Motion")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_ResetMotion",
-        "Puts the selected handles, else all handles of the morph, back to rest",
+        "Returns the selected handles, or all handles of the morph, to rest",
     )
 
     def possible(self) -> bool:

@@ -17,7 +17,7 @@ class SavePose(Command):
     name = "SheetMorph_SavePose"
     text = QT_TRANSLATE_NOOP("SheetMorph_SavePose", "Save Pose…")
     tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_SavePose", "Keeps where all handles are now, under a name to come back to"
+        "SheetMorph_SavePose", "Saves the current positions of all handles under a name"
     )
 
     def possible(self) -> bool:
@@ -46,7 +46,8 @@ class BlendPoses(Command):
     name = "SheetMorph_BlendPoses"
     text = QT_TRANSLATE_NOOP("SheetMorph_BlendPoses", "Blend Poses…")
     tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_BlendPoses", "Goes from one pose to another with a slider, and compares them"
+        "SheetMorph_BlendPoses",
+        "Blends from one pose to another with a slider, and compares the two",
     )
 
     def possible(self) -> bool:
@@ -69,7 +70,7 @@ class CopyInPose(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_CopyInPose", "Copy in Pose")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_CopyInPose",
-        "Copies the whole morph and puts the copy into the selected pose; the original stays",
+        "Copies the whole morph and applies the selected pose to the copy",
     )
 
     def possible(self) -> bool:
@@ -90,7 +91,7 @@ class CopyAsMeshes(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_CopyAsMeshes", "Copy as Meshes")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_CopyAsMeshes",
-        "Copies the parts as ordinary meshes, as they are now or in the selected pose",
+        "Copies the parts as plain meshes, in their current shape or in the " "selected pose",
     )
 
     def possible(self) -> bool:

@@ -31,7 +31,7 @@ class MarkFixed(_Mark):
     role = "fixed"
     text = QT_TRANSLATE_NOOP("SheetMorph_MarkFixed", "Mark Fixed Region…")
     tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_MarkFixed", "Marks a region that stays where it is, by picking in the 3D view"
+        "SheetMorph_MarkFixed", "Marks a region that stays in place, by picking in the 3D view"
     )
 
 
@@ -43,7 +43,7 @@ class MarkHandle(_Mark):
     text = QT_TRANSLATE_NOOP("SheetMorph_MarkHandle", "Mark Handle…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_MarkHandle",
-        "Marks a region that is moved and turned as you say; the part follows",
+        "Marks a region that you move and turn; the part follows",
     )
 
 
@@ -55,7 +55,7 @@ class MarkFeature(_Mark):
     text = QT_TRANSLATE_NOOP("SheetMorph_MarkFeature", "Mark Form Features…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_MarkFeature",
-        "Marks holes and other form features that move but keep their shape",
+        "Marks holes and other form features, which move but keep their shape",
     )
 
 
@@ -67,5 +67,5 @@ class MarkFollower(_Mark):
     text = QT_TRANSLATE_NOOP("SheetMorph_MarkFollower", "Mark Follower…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_MarkFollower",
-        "Marks a region that goes with the control meshes of the part's contacts",
+        "Marks a region that follows the control meshes of the part's contacts",
     )

@@ -16,7 +16,8 @@ class ThicknessMap(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_ThicknessMap", "Thickness…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_ThicknessMap",
-        "Shows in colours how thick the selected part is, and lets it bend as one sheet",
+        "Shows the thickness of the selected part in colours, and lets the part "
+        "bend as one sheet",
     )
 
     def possible(self) -> bool:
@@ -37,8 +38,8 @@ class Flatten(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_Flatten", "Flatten")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_Flatten",
-        "Lays the selected part flat, as it is now and at rest: sketches of its blank and "
-        "bend lines",
+        "Flattens the selected part, in its current shape and at rest: sketches "
+        "of blank and bend lines",
     )
 
     def possible(self) -> bool:
@@ -60,7 +61,8 @@ class DeformedShape(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_DeformedShape", "Deformed Shape")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_DeformedShape",
-        "Makes a shape of the selected part, deformed, with the faces of the one it was made from",
+        "Creates a deformed CAD shape of the selected part, with the faces of "
+        "its original shape",
     )
 
     def possible(self) -> bool:
@@ -80,7 +82,7 @@ class PrepareMesh(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_PrepareMesh", "Prepare Mesh…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_PrepareMesh",
-        "Tells what is wrong with the mesh of the selected part, cures it and meshes it anew",
+        "Checks the mesh of the selected part, repairs it and remeshes it",
     )
 
     def possible(self) -> bool:

@@ -15,7 +15,7 @@ class Study(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_Study", "Study…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_Study",
-        "Computes many variants in the background, each certified, and shows them in a table",
+        "Computes and certifies many variants in the background and lists them " "in a table",
     )
 
     def possible(self) -> bool:

@@ -23,7 +23,7 @@ PATIENCE = 0.06  # s that OK may wait, so that a small morph gets its final shap
 LARGE = 20_000  # vertices of a morph above which OK does not wait
 NAP = 0.002  # s between two checks during this wait
 LOOK = 20  # ms between two checks whether a document is free
-COMPUTED = "Being computed: the parts still have an earlier shape."
+COMPUTED = "Computing: the parts still have an earlier shape."
 STOPPED = "Not computed: recompute the document to get the final shape."
 
 
@@ -345,7 +345,7 @@ def is_due(assembly) -> bool:
 def tell(label: str, text: str) -> None:
     """Report a failed shape in a window that blocks nothing."""
     App.Console.PrintError(f"SheetMorph: {text}\n")
-    title = translate("SheetMorph_panels", "The shape of {0} failed").format(label)
+    title = translate("SheetMorph_panels", "The shape of {0} could not be computed").format(label)
     box = QtWidgets.QMessageBox(
         QtWidgets.QMessageBox.Warning, title, text, parent=Gui.getMainWindow()
     )

@@ -27,7 +27,7 @@ class FinishingBar:
         self._button.setToolTip(
             translate(
                 "SheetMorph_panels",
-                "Stops computing; a recompute of the document computes the shape.",
+                "Stops the computation. Recompute the document to get the shape.",
             )
         )
         connect(self._button, "clicked()", stop)

@@ -137,12 +137,14 @@ def sentence_of(error: Exception) -> Fault:
     if isinstance(error, MemoryError):
         text = translate(
             "SheetMorph_panels",
-            "There is not enough memory for this shape. Close other documents, or mesh it coarser.",
+            "There is not enough memory for this shape. Close other documents, or "
+            "use a coarser mesh.",
         )
         return Fault(text)
     if isinstance(error, actions.FAULTS) and str(error):
         return fault_of(error)
     text = translate(
-        "SheetMorph_panels", "This shape failed for an unknown reason ({0}). Please report it."
+        "SheetMorph_panels",
+        "This shape could not be computed for an unknown reason ({0}). Please " "report it.",
     )
     return Fault(text.format(" ".join(f"{type(error).__name__} {error}".split())))

@@ -144,16 +144,22 @@ class LiveUpdate(QtCore.QObject):
             self._worker.ask(live_session.Question(question.pose, question.moved, True))
 
     @property
+    def unit(self) -> str:
+        """The unit of the colours, empty without one."""
+        return "" if self._valuer is None else self._valuer.unit
+
+    @property
     def worst(self) -> str:
         """The legend as text, empty without colours."""
         if self.legend is None or self._valuer is None:
             return ""
         if not self.legend.part:
-            return translate("SheetMorph_panels", "There is nothing to show: no contact is in use.")
+            return translate("SheetMorph_panels", "No values: no contact is in use.")
         part = self._assembly.Document.getObject(self.legend.part).Label
         extreme = words.plain(self.legend.extreme)
         value = f"{extreme} {self._valuer.unit}".strip()
-        text = f"{self._valuer.worst} {value} on {part}"
+        worst = translate("SheetMorph_panels", self._valuer.worst)
+        text = translate("SheetMorph_panels", "{0} {1} on {2}").format(worst, value, part)
         near = self.legend.near
         return translate("SheetMorph_panels", "{0}, near {1}").format(text, near) if near else text
 
@@ -203,7 +209,7 @@ class LiveUpdate(QtCore.QObject):
         """Warn once if the reduced model failed, which leaves frames slow."""
         text = self._live.learning_failure
         if text and text != self._warned:
-            App.Console.PrintWarning(f"SheetMorph: frames stay slow in this drag: {text}\n")
+            App.Console.PrintWarning(f"SheetMorph: frames stay slow during this drag: {text}\n")
         self._warned = text
 
     def _commit(self) -> None:

@@ -25,46 +25,49 @@ from freecad.sheetmorph.objects.proxy import ObjectProxy, is_settled, make_due
 
 ENERGIES = ["neumann", "natural", "paper", "steel"]
 ENERGY_DOC = (
-    "How the sheet bends. Natural: free edges are free. Neumann: free edges keep their slope. "
-    "Paper: as Masuda 2007 prints it; the shape depends on how fine the mesh is. Steel: a thin "
-    "shell that hardly stretches; while dragging, Neumann is shown"
+    "How the sheet bends. Neumann: quick; free edges keep their slope. "
+    "Natural: free edges are free. Paper: as published by Masuda (2007); "
+    "the shape depends on the mesh size. Steel: a thin shell that hardly "
+    "stretches; while you drag, Neumann is shown"
 )
 OPERATORS = ["cotangent", "intrinsic"]
 OPERATOR_DOC = (
-    "Which triangles the energy sees. Cotangent: those of the mesh. Intrinsic: Delaunay triangles "
-    "within the same sheet, for meshes with slivers"
+    "Triangles that the energy uses. Cotangent: those of the mesh. "
+    "Intrinsic: Delaunay triangles on the same sheet, for meshes with "
+    "slivers"
 )
 LOCAL, SINGLE, WHOLE = "local", "single", "whole"
 PROPAGATIONS = [LOCAL, SINGLE, WHOLE]
 PROPAGATION_DOC = (
-    "How the other parts follow the primary. Local: along the contacts, from part to part, each "
-    "contact with a control mesh of its own. Single: one control mesh around everything moves "
-    "all parts at once; contacts are ignored. Whole: all parts in one solve; contacts stay closed, "
-    "and what is held on any part holds"
+    "How the other parts follow the primary part. Local: from part to part "
+    "along the contacts, each with its own control mesh. Single: one "
+    "control mesh around everything moves all parts and ignores the "
+    "contacts. Whole: all parts in one solve, which keeps contacts closed "
+    "and constraints on every part"
 )
 LEVELS_DOC = (
-    "How often control meshes are subdivided: more follows finer bends, at the cost of speed "
-    "(3 is right for most sheets)"
+    "Number of subdivisions of the control meshes. More follow finer bends "
+    "but take longer; 3 suits most sheets"
 )
 SMOOTHNESS_DOC = (
-    "How smooth control meshes stay: small follows the source closely, large evens out its "
-    "details (default 0.05)"
+    "Smoothness of the control meshes. Small values follow the driving "
+    "part closely, large values even out its details (default 0.05)"
 )
 SYMMETRY_DOC = (
-    "What one side of the plane is told, the other does mirrored: handles, sizes and prescribed "
-    "rotations act on both sides"
+    "Mirrors all handles, sizes and prescribed rotations at the plane, so "
+    "that they act on both sides"
 )
-REFINE_DOC = "Refine large rotations: slower and nearer to the true bending; off by default"
+REFINE_DOC = "Refines large rotations: slower, but closer to real bending; off by default"
 UNHELD = ["rest", "along", "refuse"]
 UNHELD_DOC = (
-    "What becomes of pieces of a part that nothing holds, while others of it move. Rest: they "
-    "stay. Along: each goes rigidly along with the nearest place that is held. Refuse: the "
-    "morph fails"
+    "How unconstrained pieces of a part behave while others move. Rest: "
+    "they stay. Along: each moves rigidly with the nearest constrained "
+    "place. Refuse: the morph fails"
 )
 REPAIR_DOC = (
-    "Criteria until which nodes of decks slide in their sheet where the exported recipe is run: "
-    "standard, crash, static, or a file beside it; nothing: they do not. FreeCAD itself repairs "
-    "nothing"
+    "Criteria for repairing deck elements when the exported recipe runs: "
+    "standard, crash, static, or a file next to it; nodes then slide in "
+    "their sheet. Empty: no repair. FreeCAD itself repairs nothing"
 )
 INPUTS = ("Group", "Primary", "Energy", "Extras", "Propagation", "Levels", "Smoothness")
 INPUTS += ("Operator", "Symmetry", "SymmetryPoint", "SymmetryNormal", "Refine", "Unheld")
@@ -101,7 +104,7 @@ class AssemblyProxy(ObjectProxy):
             "StringList",
             "Unreached",
             "Propagation",
-            "Parts that no contact connects with the primary; they stay where they are",
+            "Parts that no contact connects to the primary part; they stay at rest",
             mode=READ_ONLY,
             is_output=True,
         ),
@@ -109,7 +112,7 @@ class AssemblyProxy(ObjectProxy):
             "String",
             "Status",
             "Morph",
-            "How the last recompute went",
+            "Result of the last recompute",
             "",
             READ_ONLY,
             is_output=True,
@@ -118,13 +121,11 @@ class AssemblyProxy(ObjectProxy):
             "StringList",
             "Warnings",
             "Morph",
-            "What the pose does that is likely not wanted, and what to do",
+            "Likely problems of the pose, and what to do about them",
             mode=READ_ONLY,
             is_output=True,
         ),
-        Property(
-            "String", "Extras", "Morph", "What a recipe held beyond regions, as JSON", "", HIDDEN
-        ),
+        Property("String", "Extras", "Morph", "Other entries of the recipe, as JSON", "", HIDDEN),
     )
 
     def onChanged(self, obj, name: str) -> None:

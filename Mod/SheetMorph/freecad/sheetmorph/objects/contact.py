@@ -11,22 +11,26 @@ from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
 CONTROL_MESH, TIED, RIGID = "control mesh", "tied", "rigid"
 TYPES = [CONTROL_MESH, TIED, RIGID]
 TYPE_DOC = (
-    "Control mesh: the follower's side bends with the other side, smoothly. Tied: every vertex "
-    "keeps its place on the nearest triangle of the other side, as *TIE of simulation codes. "
-    "Rigid: both sides move as one stiff body, as at a bolt or a spot weld"
+    "Control mesh: the follower's side bends smoothly with the other side. "
+    "Tied: every vertex keeps its place relative to the nearest triangle "
+    "of the other side, as *TIE in simulation codes. Rigid: both sides "
+    "move as one rigid body, as at a bolt or a spot weld"
 )
-WHERE_DOC = "What the side says it is, a selector; empty if only its vertices are known"
-ACTIVE_DOC = "Off: the contact is kept but not used, as if the weld were open"
-GAP_DOC = "How much the gap between the two sides changed at the last recompute, at most"
+WHERE_DOC = "Selector of the side; empty if only its vertices are stored"
+ACTIVE_DOC = "Off: the contact stays in the document but transfers no motion"
+GAP_DOC = "Largest change of the gap between the two sides at the last recompute"
 DEVIATION_DOC = (
-    "How far the follower's side is, at most, from where a stiff motion of the other side would "
-    "put it; what bends shows here"
+    "Largest distance of the follower's side from a rigid motion of the "
+    "other side; bending shows here"
 )
 KEPT_DOC = (
-    "How well the last recompute kept the contact: how much its gap changes, and how far the "
-    "follower's side is from where a stiff motion of the other side would put it, at most"
+    "How well the last recompute kept the contact: largest gap change, and "
+    "largest distance of the follower's side from a rigid motion of the "
+    "other side"
 )
-WARNING_DOC = "Why the contact opens or closes too far, and what to do; empty if it does not"
+WARNING_DOC = (
+    "Why the contact opens or closes too far, and what to do; empty if the contact is fine"
+)
 
 
 class ContactProxy(MemberProxy):

@@ -11,8 +11,8 @@ from freecad.sheetmorph.objects.proxy import ObjectProxy
 
 JOINTS = ["refuse", "tell"]
 JOINTS_DOC = (
-    "What becomes of an export in which a joint of the deck comes apart: refuse, and nothing is "
-    "written; or tell, in the report"
+    "What an export does if a joint of the deck comes apart. Refuse: it "
+    "writes nothing. Tell: it reports the joint"
 )
 
 
@@ -22,12 +22,16 @@ class DeckProxy(ObjectProxy):
     Type = DECK
     PROPERTIES = (
         Property("String", "FileName", "Deck", "The file", "", READ_ONLY),
-        Property("String", "Format", "Deck", "What it is written for", "", READ_ONLY),
-        Property("Integer", "Nodes", "Deck", "How many nodes it has", mode=READ_ONLY),
-        Property("Integer", "Elements", "Deck", "How many elements it has", mode=READ_ONLY),
+        Property("String", "Format", "Deck", "Solver format", "", READ_ONLY),
+        Property("Integer", "Nodes", "Deck", "Number of nodes", mode=READ_ONLY),
+        Property("Integer", "Elements", "Deck", "Number of elements", mode=READ_ONLY),
         Property("Enumeration", "BrokenJoints", "Deck", JOINTS_DOC, JOINTS),
         Property(
-            "FileIncluded", "FileData", "Deck", "The file, packed if it includes", mode=HIDDEN
+            "FileIncluded",
+            "FileData",
+            "Deck",
+            "The file, packed together with its includes",
+            mode=HIDDEN,
         ),
         Property("String", "Split", "Deck", "How it was split into parts", "", HIDDEN),
         Property("String", "Settings", "Deck", "Passengers and joints, as JSON", "", HIDDEN),
@@ -43,11 +47,13 @@ class ShellsProxy(ObjectProxy):
     Type = SHELLS
     PROPERTIES = (
         Property("Integer", "Number", "Shells", "The property, part or set (PID)", mode=READ_ONLY),
-        Property("String", "Title", "Shells", "What the deck calls it", "", READ_ONLY),
-        Property("Length", "Thickness", "Shells", "0: the deck does not tell", mode=READ_ONLY),
-        Property("String", "Material", "Shells", "As the deck names it", "", READ_ONLY),
-        Property("Integer", "Elements", "Shells", "How many there are", mode=READ_ONLY),
-        Property("LinkHidden", "Part", "Shells", "The part they are in", mode=HIDDEN),
+        Property("String", "Title", "Shells", "Name in the deck", "", READ_ONLY),
+        Property(
+            "Length", "Thickness", "Shells", "Thickness; 0: not given in the deck", mode=READ_ONLY
+        ),
+        Property("String", "Material", "Shells", "Name in the deck", "", READ_ONLY),
+        Property("Integer", "Elements", "Shells", "Number of elements", mode=READ_ONLY),
+        Property("LinkHidden", "Part", "Shells", "The part with these elements", mode=HIDDEN),
     )
 
     def execute(self, _obj) -> None:

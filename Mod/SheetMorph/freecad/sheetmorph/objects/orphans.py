@@ -24,10 +24,10 @@ def fault_of(obj) -> str:
     what = f"{WORDS[kind(obj)]} '{obj.Label}'"
     if any(getattr(obj, name, None) is None for name in PARTS.get(kind(obj), ())):
         return (
-            f"{what} came without its part and does nothing: delete it, and copy the whole morph "
-            "or mark it here."
+            f"{what} was copied without its part and does nothing: delete it, then "
+            "copy the whole morph or mark it here."
         )
-    return f"{what} is in no morph and does nothing: drag it onto its morph, or delete it."
+    return f"{what} is not in a morph and does nothing: drag it onto its morph, or delete it."
 
 
 class MemberProxy(ObjectProxy):

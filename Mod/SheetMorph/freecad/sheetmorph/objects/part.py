@@ -11,21 +11,23 @@ from freecad.sheetmorph.objects.proxy import Execution, ObjectProxy, make_due
 
 MODES = ["automatic", "1 all by control mesh", "2 regions", "3 boundaries"]
 MODE_DOC = (
-    "How a part other than the primary follows. Automatic: chosen from its contacts and form "
-    "features. 1: every vertex goes with the control mesh; form features would lose their shape. "
-    "2: contacts and followers go with it, the rest bends like sheet and form features stay "
-    "exact. 3: as 2, with the free edges inside the control meshes"
+    "How a part other than the primary part follows. Automatic: chosen "
+    "from its contacts and form features. 1: the control mesh drives every "
+    "vertex; form features would lose their shape. 2: it drives contacts "
+    "and followers; the rest bends like sheet metal, and form features "
+    "stay exact. 3: as 2, with the free edges inside the control meshes"
 )
 
 
 THIN_NO, THIN_AUTOMATIC, THIN_GIVEN = THIN = ("no", "automatic", "of given thickness")
 THIN_DOC = (
-    "Whether a closed mesh is a thin solid: solved once as a sheet, both skins and the walls "
-    "follow and keep the thickness. Automatic: if it is recognised as one"
+    "Treats a closed mesh as a thin solid: it is solved once as a sheet, "
+    "and both skins keep the thickness. Automatic: if it is recognised as "
+    "one"
 )
 SHEET_DOC = (
-    "How thick the sheet is where the energy is steel; 0: as the deck or the thin solid, or a "
-    "hundredth of the size"
+    "Sheet thickness for the energy steel. 0: that of the deck or the thin "
+    "solid, or a hundredth of the size"
 )
 DECISIVE = ("Mode", "Thin", "Thickness", "SheetThickness", "Poisson")
 """Properties on which the deformation depends."""
@@ -39,27 +41,45 @@ class PartProxy(ObjectProxy):
         Property("LinkGlobal", "Source", "Part", "The mesh at rest, never changed", mode=READ_ONLY),
         Property("Enumeration", "Mode", "Part", MODE_DOC, MODES),
         Property("Enumeration", "Thin", "Part", THIN_DOC, list(THIN)),
-        Property("Length", "Thickness", "Part", "Of a thin solid whose thickness is given"),
+        Property("Length", "Thickness", "Part", "Thickness of a thin solid, if it is given"),
         Property("Length", "SheetThickness", "Part", SHEET_DOC),
-        Property(
-            "Float", "Poisson", "Part", "Poisson's ratio, read where the energy is steel", 0.3
-        ),
-        Property("Link", "Deformation", "Part", "What the mesh depends on", mode=HIDDEN),
+        Property("Float", "Poisson", "Part", "Poisson's ratio for the energy steel", 0.3),
+        Property("Link", "Deformation", "Part", "Object that computes the mesh", mode=HIDDEN),
         Property("String", "FileName", "Part", "File the part was read from", "", READ_ONLY),
-        Property("FileIncluded", "RestData", "Part", "Rest positions in double", mode=HIDDEN),
-        Property("LinkGlobal", "Original", "Part", "The mesh before it was prepared", mode=HIDDEN),
-        Property("FileIncluded", "OriginalData", "Part", "Its positions in double", mode=HIDDEN),
-        Property("String", "Preparation", "Part", "What was done to the mesh", "", HIDDEN),
-        Property("String", "Differences", "Part", "What another file changed", "{}", HIDDEN),
-        Property("FileIncluded", "FileData", "Part", "The file as it was read", mode=HIDDEN),
-        Property("FileIncluded", "ShapeData", "Part", "The CAD shape that was meshed", mode=HIDDEN),
-        Property("LinkHidden", "ShapeSource", "Part", "The shape it was made from", mode=READ_ONLY),
-        Property("String", "ShapeRead", "Part", "How that was read", "", HIDDEN),
-        Property("Bool", "SourceChanged", "Part", "It is another one now", False, HIDDEN, True),
-        Property("LinkHidden", "Deck", "Part", "The deck that it is in", mode=READ_ONLY),
-        Property("String", "DeckPart", "Part", "What the deck calls it", "", HIDDEN),
-        Property("LinkListHidden", "Shells", "Part", "Its properties", mode=HIDDEN),
-        Property("LinkHidden", "DeformedShape", "Part", "Its shape, deformed", mode=READ_ONLY),
+        Property(
+            "FileIncluded", "RestData", "Part", "Rest positions in double precision", mode=HIDDEN
+        ),
+        Property("LinkGlobal", "Original", "Part", "The mesh before its preparation", mode=HIDDEN),
+        Property(
+            "FileIncluded",
+            "OriginalData",
+            "Part",
+            "Positions of the original mesh in double precision",
+            mode=HIDDEN,
+        ),
+        Property("String", "Preparation", "Part", "Preparation of the mesh", "", HIDDEN),
+        Property("String", "Differences", "Part", "Differences to the previous file", "{}", HIDDEN),
+        Property("FileIncluded", "FileData", "Part", "Content of the file", mode=HIDDEN),
+        Property("FileIncluded", "ShapeData", "Part", "The meshed CAD shape", mode=HIDDEN),
+        Property(
+            "LinkHidden",
+            "ShapeSource",
+            "Part",
+            "The shape that the part was made from",
+            mode=READ_ONLY,
+        ),
+        Property("String", "ShapeRead", "Part", "How the shape was read", "", HIDDEN),
+        Property(
+            "Bool", "SourceChanged", "Part", "Whether the shape has changed", False, HIDDEN, True
+        ),
+        Property("LinkHidden", "Deck", "Part", "The deck of the part", mode=READ_ONLY),
+        Property("String", "DeckPart", "Part", "Name in the deck", "", HIDDEN),
+        Property(
+            "LinkListHidden", "Shells", "Part", "Properties of the deck in this part", mode=HIDDEN
+        ),
+        Property(
+            "LinkHidden", "DeformedShape", "Part", "The deformed shape of the part", mode=READ_ONLY
+        ),
     )
 
     def __init__(self, obj):
@@ -97,11 +117,12 @@ def deformed_mesh(part):
     """Return the mesh of a part in the pose of its morph. Raises MorphError."""
     if part.Source is None:
         raise MorphError(
-            f"Part '{part.Label}' has lost its source mesh: undo that or delete the part.", part
+            f"Part '{part.Label}' has lost its source mesh: undo that, or delete the part.", part
         )
     if part.Deformation is None:
         raise MorphError(
-            f"Part '{part.Label}' is in no morph: delete it and add its source to a morph.", part
+            f"Part '{part.Label}' is not in a morph: delete it and add its source to a morph.",
+            part,
         )
     return part.Deformation.Proxy.mesh_of(part.Deformation, part)
 

@@ -18,7 +18,7 @@ class PoseProxy(MemberProxy):
     PROPERTIES = (
         Property("String", "Motions", "Pose", "Motions by region, as JSON", "", HIDDEN),
         Property("String", "Sizes", "Pose", "Sizes of form features by region", "", HIDDEN),
-        Property("LinkListHidden", "Regions", "Pose", "The regions, by their names", mode=HIDDEN),
+        Property("LinkListHidden", "Regions", "Pose", "The moved regions", mode=HIDDEN),
     )
 
 

@@ -27,17 +27,17 @@ ROTATIONS = [FREE, INTERPOLATED, PRESCRIBED]
 PLANE, LINE, AXIS = "plane", "line", "axis"
 MOTIONS = [FREE, "fixed", "translation", PLANE, LINE, AXIS]
 MOTION_DOC = (
-    "What the form feature may do. Free: anything; fixed: nothing; translation: shift without "
-    "turning; plane: shift in a plane and turn about its normal; line: shift along a line; axis: "
-    "turn about an axis"
+    "Motion that the form feature is allowed. Free: any; fixed: none; "
+    "translation: no rotation; plane: in a plane, and about its normal; "
+    "line: along a line; axis: about an axis"
 )
 SIZE_DOC = (
-    "Diameter of a hole, length of a slot, radius of a cylinder; its rim is then an exact circle, "
-    "slot or cylinder of that size. 0: as in the mesh"
+    "Diameter of a hole, length of a slot, or radius of a cylinder. The "
+    "form is then exact. 0: as in the mesh"
 )
 WHERE_DOC = (
-    "What the region is, as a selector of a recipe, in the coordinates of the file of the part; "
-    "empty where only the vertices are known"
+    "Selector of the region, as in a recipe, in the coordinates of the "
+    "part's file; empty if only the vertices are stored"
 )
 UP = FreeCAD.Vector(0, 0, 1)
 
@@ -46,11 +46,11 @@ COMMON = (
         "Enumeration",
         "Role",
         "Region",
-        "Stays (fixed), moves as you say (handle), keeps its shape (form feature), or goes where "
-        "the control mesh of the part takes it (follower)",
+        "Fixed: stays in place. Handle: you move it. Form feature: keeps its "
+        "shape. Follower: follows the control mesh of the part",
         ROLES,
     ),
-    Property("LinkHidden", "Part", "Region", "The part the vertices belong to", mode=READ_ONLY),
+    Property("LinkHidden", "Part", "Region", "The part of the region", mode=READ_ONLY),
     Property("FloatList", "Vertices", "Region", "Indices of the vertices", mode=HIDDEN),
     Property("String", "Where", "Region", WHERE_DOC, mode=READ_ONLY),
 )
@@ -59,18 +59,18 @@ MOTION = (
     Property("Distance", "TranslationY", "Motion", "Translation along the global y axis"),
     Property("Distance", "TranslationZ", "Motion", "Translation along the global z axis"),
     Property("Vector", "Axis", "Motion", "Axis of the rotation, global", UP),
-    Property("Angle", "Angle", "Motion", "Angle of the rotation, any number of turns"),
-    Property("Vector", "Pivot", "Motion", "Point the rotation turns about, global, at rest"),
-    Property("Bool", "PivotAtCentroid", "Motion", "Turn about the centroid of the region", True),
-    Property("Bool", "FreeRotation", "Motion", "The sheet decides how the handle turns"),
+    Property("Angle", "Angle", "Motion", "Angle of the rotation; more than one turn is possible"),
+    Property("Vector", "Pivot", "Motion", "Centre of the rotation, global, at rest"),
+    Property("Bool", "PivotAtCentroid", "Motion", "Rotate about the centroid of the region", True),
+    Property("Bool", "FreeRotation", "Motion", "The rotation of the handle follows the sheet"),
 )
 FEATURE = (
     Property(
         "Enumeration",
         "Rotation",
         "Form Feature",
-        "Free: a rigid body in an elastic sheet; interpolated: as the handles around it turn (the "
-        "paper's way); or as prescribed",
+        "Free: a rigid body in an elastic sheet. Interpolated: follows the "
+        "handles around it, as published. Prescribed: by axis and angle",
         ROTATIONS,
     ),
     Property("Vector", "RotationAxis", "Form Feature", "Axis of a prescribed rotation", UP),

@@ -10,8 +10,9 @@ from freecad.sheetmorph.objects.properties import Property
 GROUP, COAXIAL, DISTANCE = "group", "coaxial", "distance"
 RELATIONS = [GROUP, COAXIAL, DISTANCE]
 RELATION_DOC = (
-    "Group: the form features move as one rigid body. Coaxial: two keep their common axis, along "
-    "and about which each may move. Distance: two keep the distance of their centres"
+    "Group: the form features move as one rigid body. Coaxial: two share "
+    "an axis, and each may move along and about it. Distance: the centres "
+    "of two keep their distance"
 )
 
 

@@ -59,8 +59,8 @@ def note_change(source) -> None:
         changed = is_another(part)
         if changed and not part.SourceChanged:
             FreeCAD.Console.PrintWarning(
-                f"SheetMorph: '{source.Label}' was edited: Follow Shape meshes '{part.Label}' "
-                "again and finds its regions by what they say they are.\n"
+                f"SheetMorph: '{source.Label}' was edited: use Follow Shape to mesh "
+                f"'{part.Label}' again and find its regions.\n"
             )
         if changed != part.SourceChanged:
             part.SourceChanged = changed

@@ -12,9 +12,10 @@ from freecad.sheetmorph.tools import studies
 from freecad.sheetmorph.tools.studies import METHODS, Parameter
 
 CRITERIA_DOC = (
-    "What every variant must keep, such as: stretch <= 0.2, angle >= 12. No triangle may turn over"
+    "Criteria for every variant, such as: stretch <= 0.2, angle >= 12. "
+    "Flipped triangles always fail"
 )
-FOLDER_DOC = "Where recipe, study and variants are written; empty: only the table is kept"
+FOLDER_DOC = "Folder for the recipe, the study and the variants. Empty: only the table is kept"
 
 
 class StudyProxy(MemberProxy):
@@ -22,11 +23,13 @@ class StudyProxy(MemberProxy):
 
     Type = STUDY
     PROPERTIES = (
-        Property("String", "Parameters", "Study", "What changes, as JSON", "", HIDDEN),
-        Property("LinkListHidden", "Owners", "Study", "Whose numbers those are", mode=HIDDEN),
-        Property("Enumeration", "Sampling", "Study", "How values are chosen", METHODS),
-        Property("Integer", "Count", "Study", "How many variants", 20),
-        Property("Integer", "Seed", "Study", "Another number gives other values", 1),
+        Property("String", "Parameters", "Study", "The parameters, as JSON", "", HIDDEN),
+        Property(
+            "LinkListHidden", "Owners", "Study", "Objects that own the parameters", mode=HIDDEN
+        ),
+        Property("Enumeration", "Sampling", "Study", "Sampling method", METHODS),
+        Property("Integer", "Count", "Study", "Number of variants", 20),
+        Property("Integer", "Seed", "Study", "Another seed gives other values", 1),
         Property("String", "Criteria", "Study", CRITERIA_DOC),
         Property("Path", "Folder", "Study", FOLDER_DOC),
         Property("String", "Results", "Study", "The table, as JSON", "", HIDDEN, is_output=True),

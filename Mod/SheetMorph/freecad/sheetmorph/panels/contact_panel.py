@@ -133,11 +133,12 @@ class ContactPanel(Panel):
             return ""
         if self._side_by_hand():
             return translate(
-                "SheetMorph_panels", "A side is empty: pick at least one vertex on each part."
+                "SheetMorph_panels", "One side is empty: pick at least one vertex on each part."
             )
         return translate(
             "SheetMorph_panels",
-            "The parts are farther apart than that: give a larger gap distance, or pick by hand.",
+            "The parts are farther apart than the gap distance: enter a larger one, "
+            "or pick by hand.",
         )
 
     def _lines(self) -> list[str]:

@@ -13,35 +13,39 @@ TYPE_NAMES = (
 TYPE_TEXTS = (
     QT_TRANSLATE_NOOP(
         "SheetMorph_panels",
-        "The other part bends along smoothly. Right for most flanges and weld seams.",
+        "The other part bends smoothly with it. Suits most flanges and weld " "seams.",
     ),
     QT_TRANSLATE_NOOP(
         "SheetMorph_panels",
-        "Every vertex keeps its place over the facing triangle. For glued faces and mesh ties.",
+        "Every vertex keeps its position relative to the facing triangle. Suits "
+        "glued faces and tied meshes.",
     ),
     QT_TRANSLATE_NOOP(
-        "SheetMorph_panels", "Both sides move as one stiff body. For bolts, rivets and spot welds."
+        "SheetMorph_panels",
+        "Both sides move as one rigid body. Suits bolts, rivets and spot welds.",
     ),
 )
 MODE_NAMES = (
     QT_TRANSLATE_NOOP("SheetMorph_panels", "Automatic"),
-    QT_TRANSLATE_NOOP("SheetMorph_panels", "1 Whole part"),
-    QT_TRANSLATE_NOOP("SheetMorph_panels", "2 Contacts lead"),
-    QT_TRANSLATE_NOOP("SheetMorph_panels", "3 Contacts and edges lead"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "1 Whole part driven"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "2 Contacts driven"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "3 Contacts and edges driven"),
 )
 MODE_TEXTS = (
-    QT_TRANSLATE_NOOP("SheetMorph_panels", "SheetMorph chooses by contacts and form features."),
     QT_TRANSLATE_NOOP(
-        "SheetMorph_panels",
-        "The control mesh moves every vertex; form features would lose their shape.",
+        "SheetMorph_panels", "SheetMorph chooses from the contacts and form features."
     ),
     QT_TRANSLATE_NOOP(
         "SheetMorph_panels",
-        "Contacts and followers go with the control mesh, the rest bends like sheet; form "
-        "features keep their shape.",
+        "The control mesh drives every vertex; form features would lose their " "shape.",
     ),
     QT_TRANSLATE_NOOP(
-        "SheetMorph_panels", "As 2, and free edges inside the control mesh go with it too."
+        "SheetMorph_panels",
+        "The control mesh drives contacts and followers; the rest bends like "
+        "sheet metal, and form features keep their shape.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SheetMorph_panels", "As 2, and the control mesh also drives free edges inside it."
     ),
 )
 

@@ -206,7 +206,7 @@ class FeaturePanel(Panel):
             raise ValueError(
                 translate(
                     "SheetMorph_panels",
-                    "Tick the form features it is related to, or choose no relation.",
+                    "Tick the related form features, or choose “No new relation”.",
                 )
             )
         members = [self._feature, *chosen]
@@ -214,7 +214,7 @@ class FeaturePanel(Panel):
             return function, (self._assembly, members), {}
         if len(chosen) > 1:
             raise ValueError(
-                translate("SheetMorph_panels", "A pair has two form features; tick one.")
+                translate("SheetMorph_panels", "A pair has two form features: tick one other.")
             )
         return function, (self._assembly, *members), {}
 
@@ -236,7 +236,8 @@ class FeaturePanel(Panel):
         connect(form.has_size, "toggled(bool)", self._refresh)
         related = model.relations(self._assembly, self._feature)
         text = ", ".join(f"{relation.Label} ({relation.Type})" for relation in related)
-        say(form.related, f"Relations: {text}" if text else "")
+        title = translate("SheetMorph_panels", "Relations: {0}")
+        say(form.related, title.format(text) if text else "")
         say(form.message, "")
 
     def _show_values(self) -> None:
@@ -252,7 +253,7 @@ class FeaturePanel(Panel):
         form.has_size.setChecked(shape is not None and number_of(feature, "Size") > 0.0)
         if shape is None:
             text = translate(
-                "SheetMorph_panels", "No hole, slot or cylinder: it has no size to set."
+                "SheetMorph_panels", "Not a hole, slot or cylinder: it has no size to set."
             )
             form.size_text.setText(text)
             return

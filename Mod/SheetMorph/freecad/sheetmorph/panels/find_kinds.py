@@ -8,7 +8,7 @@ from freecad.sheetmorph.qt import QtWidgets, translate
 from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
-MARKED = "In the document already"
+MARKED = QT_TRANSLATE_NOOP("SheetMorph_find", "Already in the document")
 
 
 def widget(form, title: str):
@@ -25,7 +25,11 @@ class Features:
     """Proposals that become form features."""
 
     title, icon = QT_TRANSLATE_NOOP("SheetMorph_find", "Find Features"), "FindFeatures"
-    columns = ["Feature", "Size", "Quality"]
+    columns = (
+        QT_TRANSLATE_NOOP("SheetMorph_find", "Feature"),
+        QT_TRANSLATE_NOOP("SheetMorph_find", "Size"),
+        QT_TRANSLATE_NOOP("SheetMorph_find", "Deviation"),
+    )
 
     def prepare(self, form) -> None:
         """Hide the tolerances of contacts."""
@@ -34,7 +38,7 @@ class Features:
         form.hint.setText(
             translate(
                 "SheetMorph_find",
-                "Size: diameter or length. Quality: how far the rim is off its form.",
+                "Size: diameter or length. Deviation: distance of the rim from its ideal form.",
             )
         )
 
@@ -68,7 +72,8 @@ class Features:
         mark = "? " if self.doubt(one) else ""
         texts = (one.name, size, mark + words.percent(quality))
         is_checked = not one.is_marked and one.kind in HOLES
-        tip = MARKED if one.is_marked else f"{one.kind}, {vertices_said(len(one.vertices))}"
+        tip = f"{one.kind}, {vertices_said(len(one.vertices))}"
+        tip = translate("SheetMorph_find", MARKED) if one.is_marked else tip
         tip = "\n".join(filter(None, (one.name, tip, self.doubt(one))))
         return texts, (one.name, one.size, quality), is_checked, not one.is_marked, tip
 
@@ -89,7 +94,12 @@ class Contacts:
     """Proposals that become contacts."""
 
     title, icon = QT_TRANSLATE_NOOP("SheetMorph_find", "Find Contacts"), "FindContacts"
-    columns = ["Contact", "Type", "Size", "Gap"]
+    columns = (
+        QT_TRANSLATE_NOOP("SheetMorph_find", "Contact"),
+        QT_TRANSLATE_NOOP("SheetMorph_find", "Type"),
+        QT_TRANSLATE_NOOP("SheetMorph_find", "Size"),
+        QT_TRANSLATE_NOOP("SheetMorph_find", "Gap"),
+    )
 
     def prepare(self, form) -> None:
         """Hide the tolerances of features."""
@@ -106,7 +116,7 @@ class Contacts:
         form.hint.setText(
             translate(
                 "SheetMorph_find",
-                "Size: of the place. Gap: between the parts, measured in the middle.",
+                "Size of the contact area; median gap.",
             )
         )
 
@@ -134,7 +144,8 @@ class Contacts:
     def row(self, one) -> tuple:
         """Return the list entry of a proposal."""
         texts = (one.name, one.type, words.length(one.size, 4), words.length(one.distance))
-        tip = MARKED if one.is_marked else f"{len(one.a)} and {vertices_said(len(one.b))}"
+        tip = f"{len(one.a)} + {vertices_said(len(one.b))}"
+        tip = translate("SheetMorph_find", MARKED) if one.is_marked else tip
         tip = f"{one.name}\n{tip}"
         values = (one.name, one.type, one.size, one.distance)
         return texts, values, not one.is_marked, not one.is_marked, tip

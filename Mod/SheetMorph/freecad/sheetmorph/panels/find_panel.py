@@ -109,16 +109,16 @@ class FindPanel(Panel):
 
     def _count(self, *_) -> None:
         marked = sum(one.is_marked for one in self._found)
-        text = translate("SheetMorph_panels", "{0} of {1} chosen")
+        text = translate("SheetMorph_panels", "{0} of {1} checked")
         if marked:
-            text = translate("SheetMorph_panels", "{0} of {1} chosen, {2} in the document already")
+            text = translate("SheetMorph_panels", "{0} of {1} checked, {2} already in the document")
         texts = [text.format(len(self._chosen()), len(self._found), marked)]
         unsettled = sum(bool(self._what.doubt(one)) for one in self._found)
         if unsettled:
-            text = translate("SheetMorph_panels", "{0} not certain (?): point at them to read why")
+            text = translate("SheetMorph_panels", "{0} uncertain (?): point at a row to read why")
             texts.append(text.format(unsettled))
         if self._parts:
-            texts.append(translate("SheetMorph_panels", "of the selected parts only"))
+            texts.append(translate("SheetMorph_panels", "selected parts only"))
         self.form.count.setText("; ".join(texts))
 
     # -- the 3D view
@@ -146,7 +146,7 @@ class FindPanel(Panel):
         """Add all checked proposals in one undo step."""
         chosen = [one for one in self._chosen() if not one.is_marked]
         if not chosen:
-            text = translate("SheetMorph_panels", "Nothing is checked; check proposals, or cancel.")
+            text = translate("SheetMorph_panels", "Nothing is checked. Check proposals, or cancel.")
             say(self.form.message, text, True)
             return False
         lines = self._what.lines(self._assembly, chosen, self.form)
@@ -161,7 +161,8 @@ class FindPanel(Panel):
 
     def _prepare_widgets(self) -> None:
         form = self.form
-        find_table.prepare(form.table, self._what.columns)
+        columns = [translate("SheetMorph_find", title) for title in self._what.columns]
+        find_table.prepare(form.table, columns)
         self._what.prepare(form)
         connect(form.kind, "currentIndexChanged(int)", self._filter)
         connect(form.smallest, "valueChanged(double)", self._filter)

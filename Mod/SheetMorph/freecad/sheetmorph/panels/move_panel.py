@@ -282,13 +282,13 @@ class MovePanel(Panel):
         is_steel = self._handles.assembly.Energy == "steel"
         if self._live.is_preview and is_steel:
             told = translate(
-                "SheetMorph_panels", "Linear preview: steel follows when you rest. {0}"
+                "SheetMorph_panels", "Linear preview; the steel shape is computed on a pause. {0}"
             )
             text = told.format(text)
         elif self._live.is_preview:
             text = translate("SheetMorph_panels", "Preview: refined on release. {0}").format(text)
         elif is_steel:
-            text = translate("SheetMorph_panels", "Steel, final. {0}").format(text)
+            text = translate("SheetMorph_panels", "Final steel shape. {0}").format(text)
         say(self.form.status, text)
         self._tell_who_stays()
         self._shown.tell()
@@ -297,8 +297,11 @@ class MovePanel(Panel):
 
     def _on_settling(self, task: str) -> None:
         if self._live is not None and self._live.is_preview:
-            text = translate("SheetMorph_panels", "Linear preview, the exact shape follows ({0})")
-            say(self.form.status, text.format(task))
+            step = task.rpartition(" ")[2]
+            text = translate("SheetMorph_panels", "Computing the exact shape")
+            if step.isdigit():
+                text = translate("SheetMorph_panels", "Computing steel shape (step {0})")
+            say(self.form.status, text.format(step))
 
     def _hush(self) -> None:
         self._stop_timers()
@@ -334,11 +337,14 @@ class MovePanel(Panel):
         """Show the parts that will not follow, and other warnings."""
         assembly = self._handles.assembly
         names, opened = assembly.Unreached, propagation_tree.opened(assembly)
-        text = translate("SheetMorph_panels", "Will not follow, no contact leads there: {0}")
+        text = translate(
+            "SheetMorph_panels", "These parts will not follow, because no contact reaches them: {0}"
+        )
         texts = [text.format(", ".join(names))] if names else []
         if len(opened) > 1:
             text = translate(
-                "SheetMorph_panels", "{0} contacts open too far, see Propagation; the first:"
+                "SheetMorph_panels",
+                "{0} contacts open or close too far (see Propagation). The first:",
             )
             texts.append(text.format(len(opened)))
         texts += [contact.Warning for contact in opened[:1]]

@@ -36,7 +36,7 @@ HINTS = {
         "SheetMorph_picking", "Drag from corner to corner. Shift adds, Ctrl removes."
     ),
     figures.LASSO: QT_TRANSLATE_NOOP(
-        "SheetMorph_picking", "Draw around it with the left button held. Shift adds, Ctrl removes."
+        "SheetMorph_picking", "Hold the left button and draw an outline. Shift adds, Ctrl removes."
     ),
 }
 

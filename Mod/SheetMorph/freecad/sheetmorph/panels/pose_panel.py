@@ -119,7 +119,9 @@ class PosePanel(Panel):
         given = next((fields for kept, fields in reversed(self._shares) if kept == now), None)
         if given is not None:
             self._show_given(given)
-        text = translate("SheetMorph_panels", "As it was before; move the slider to blend again.")
+        text = translate(
+            "SheetMorph_panels", "Back in the previous shape. Move the slider to blend again."
+        )
         self._faults.say("")
         say(self.form.message, "" if given is not None else text)
         self._end_live()

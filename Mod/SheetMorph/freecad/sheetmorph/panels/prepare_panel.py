@@ -66,7 +66,7 @@ class PreparePanel(Panel):
             return False
         lines = self._lines()
         if not lines:
-            text = translate("SheetMorph_panels", "Nothing is chosen; choose a cure, or cancel.")
+            text = translate("SheetMorph_panels", "Nothing is chosen. Choose a repair, or cancel.")
             say(self.form.message, text, True)
             return False
         self._end_preview()
@@ -100,7 +100,7 @@ class PreparePanel(Panel):
         form.split.setVisible(wish.is_split)
         form.split.setEnabled(not self._is_marked())
         form.split.setChecked(wish.is_split and form.split.isEnabled())
-        text = translate("SheetMorph_panels", "Make a part of each of its {} pieces")
+        text = translate("SheetMorph_panels", "Split into its {} pieces")
         form.split.setText(text.format(cures.pieces(self._found)))
         self._tell()
 
@@ -140,7 +140,7 @@ class PreparePanel(Panel):
         form = self.form
         given = units.number_in(form.tolerance.text(), "mm")
         text = translate(
-            "SheetMorph_panels", "Weld within how much? Type a length, for example 0.01 mm."
+            "SheetMorph_panels", "Enter a distance for merging vertices, such as 0.01 mm."
         )
         is_wrong = form.weld.isChecked() and (given is None or given < 0.0)
         say(form.message, text if is_wrong else "", is_wrong)
@@ -168,7 +168,7 @@ class PreparePanel(Panel):
             return
         wish = self._wish()
         if not wish.changes_mesh():
-            say(self.form.message, translate("SheetMorph_panels", "Choose a cure first."), True)
+            say(self.form.message, translate("SheetMorph_panels", "Choose a repair first."), True)
             return
         try:
             with actions.followed(translate("SheetMorph_prepare", "Preview")):

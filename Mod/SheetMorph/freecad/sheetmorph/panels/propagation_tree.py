@@ -5,11 +5,18 @@ from freecad.sheetmorph import paths
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.properties import number_of
 from freecad.sheetmorph.qt import QtCore, QtWidgets, icon_of, translate
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 OBJECT = QtCore.Qt.UserRole
-HINT = "Parts not reached stay at rest: mark a contact that joins them to a part above."
+HINT = QT_TRANSLATE_NOOP(
+    "SheetMorph_panels",
+    "No contact reaches these parts, so they stay at rest: mark a contact with a part above.",
+)
 ROW, LOW, HIGH = 18, 160, 420  # px: height of a row, least and largest height of the tree
-IDLE = "Contacts that move nothing: switched off, between parts not reached, or not needed."
+IDLE = QT_TRANSLATE_NOOP(
+    "SheetMorph_panels",
+    "Contacts that transfer no motion: switched off, not reached, or not needed.",
+)
 
 
 def fill(tree, assembly, steps) -> None:
@@ -22,9 +29,9 @@ def fill(tree, assembly, steps) -> None:
             used.update(contact.Name for contact in step.contacts)
     reached = set(rows)
     rest = [part for part in model.parts(assembly) if part.Name not in reached]
-    _add_group(tree, "Not reached", rest, HINT)
+    _add_group(tree, QT_TRANSLATE_NOOP("SheetMorph_panels", "Not reached"), rest, HINT)
     idle = [contact for contact in model.contacts(assembly) if contact.Name not in used]
-    _add_group(tree, "Contacts not in use", idle, IDLE)
+    _add_group(tree, QT_TRANSLATE_NOOP("SheetMorph_panels", "Contacts not in use"), idle, IDLE)
     tree.expandAll()
     tree.setMinimumHeight(min(max(ROW * (_count(tree.invisibleRootItem()) + 2), LOW), HIGH))
     header = tree.header()
@@ -61,7 +68,7 @@ def _add_part(tree, assembly, step, rows):
     row = _row(nearest[1], step.part)
     row.setText(
         1,
-        translate("SheetMorph_panels", "level {0}").format(step.level)
+        translate("SheetMorph_panels", "step {0}").format(step.level)
         if step.level
         else translate("SheetMorph_panels", "primary"),
     )
@@ -70,7 +77,8 @@ def _add_part(tree, assembly, step, rows):
         font.setBold(True)
         row.setFont(0, font)
     for contact, source in zip(step.contacts, sources(step)):
-        _add_contact(row, contact, f"from {source.Label}")
+        origin = translate("SheetMorph_panels", "from {0}").format(source.Label)
+        _add_contact(row, contact, origin)
     return row
 
 
@@ -83,9 +91,7 @@ def _add_contact(above, contact, origin: str) -> None:
     )
     row.setText(2, _millimetres(number_of(contact, "GapChange")) if contact.Active else "")
     row.setToolTip(0, f"{contact.Label}, {origin}: {_parts_of(contact)}")
-    changed = translate(
-        "SheetMorph_panels", "How much the gap between both sides has changed, at most"
-    )
+    changed = translate("SheetMorph_panels", "Largest change of the gap between both sides")
     row.setToolTip(2, changed)
     if contact.Active and contact.Warning:
         row.setIcon(2, warning_icon())
@@ -107,12 +113,13 @@ def _add_group(tree, title: str, objects, hint: str) -> None:
     """Add a row with others below it, if there are any."""
     if not objects:
         return
+    title, hint = (translate("SheetMorph_panels", text) for text in (title, hint))
     group = QtWidgets.QTreeWidgetItem(tree, [title])
     group.setToolTip(0, hint)
     group.setForeground(0, tree.palette().placeholderText())
     for obj in objects:
         if model.kind(obj) == model.CONTACT:
-            _add_contact(group, obj, "not in use")
+            _add_contact(group, obj, translate("SheetMorph_panels", "not in use"))
         else:
             _row(group, obj).setToolTip(0, hint)
 

@@ -12,9 +12,10 @@ from freecad.sheetmorph.tools.reach_scale import scale_for
 CALM = 300  # ms without a change until the search, and between two attempts to start it
 HEIGHT, GROOVE = 18, 6  # px
 POSSIBLE, BEYOND = "#2e9e5b", "#d64545"  # on any theme
-NUMBERS = ("X", "Y", "Z", QT_TRANSLATE_NOOP("SheetMorph_panels", "The angle"))
-HINT = QT_TRANSLATE_NOOP("SheetMorph_panels", "Change a value to see how far it may go.")
-TURNS_OVER = QT_TRANSLATE_NOOP("SheetMorph_panels", "a triangle turns over")
+NUMBERS = ("X", "Y", "Z", QT_TRANSLATE_NOOP("SheetMorph_panels", "Angle"))
+HINT = QT_TRANSLATE_NOOP("SheetMorph_panels", "Change one value to see its admissible range.")
+SEARCHING = QT_TRANSLATE_NOOP("SheetMorph_panels", "Searching the admissible range…")
+FLIPS = QT_TRANSLATE_NOOP("SheetMorph_panels", "{0}; beyond this, triangles flip")
 
 
 def criteria_of(assembly) -> dict:
@@ -86,7 +87,9 @@ class ReachMarks(QtCore.QObject):
         form = self._form
         if self._number is None or self._reached is None or not self._reached.ends:
             form.reach.setPixmap(QtGui.QPixmap())
-            say(form.reach_text, translate("SheetMorph_panels", HINT))
+            is_due = self._number is not None and self._reached is None
+            hint = SEARCHING if is_due else HINT
+            say(form.reach_text, translate("SheetMorph_panels", hint))
             return
         form.reach.setPixmap(self._picture())
         say(form.reach_text, self._text())
@@ -95,19 +98,16 @@ class ReachMarks(QtCore.QObject):
         """Return the range, and what fails at the value or beyond the nearer end."""
         (low, high), whys = self._reached.ends, self._reached.whys
         unit = "°" if self._number == len(NUMBERS) - 1 else " mm"
-        text = translate("SheetMorph_panels", "{0}: {1} to {2}{3}").format(
-            translate("SheetMorph_panels", NUMBERS[self._number]),
-            words.plain(low),
-            words.plain(high),
-            unit,
-        )
+        number = translate("SheetMorph_panels", NUMBERS[self._number])
+        values = number, words.plain(low), words.plain(high), unit
         is_upper = abs(high - self._value) < abs(low - self._value)
         why = whys[is_upper] or whys[not is_upper]
         if not why:
-            return translate("SheetMorph_panels", "{0}, as far as was looked").format(text)
-        is_flip = getattr(why, "code", "") == "flipped"
-        reason = translate("SheetMorph_panels", TURNS_OVER) if is_flip else why
-        return translate("SheetMorph_panels", "{0}; beyond: {1}").format(text, reason)
+            return translate("SheetMorph_panels", "{0}: at least {1} to {2}{3}").format(*values)
+        text = translate("SheetMorph_panels", "{0}: {1} to {2}{3}").format(*values)
+        if getattr(why, "code", "") == "flipped":
+            return translate("SheetMorph_panels", FLIPS).format(text)
+        return translate("SheetMorph_panels", "{0}; beyond this: {1}").format(text, why)
 
     def _picture(self):
         """Return the scale as a QPixmap as wide as its label."""

@@ -11,6 +11,7 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import keeping
 from freecad.sheetmorph.panels.base import Panel, legend, say, vertices_said
 from freecad.sheetmorph.panels.fault_bar import FaultBar
+from freecad.sheetmorph.panels.folding import Folds
 from freecad.sheetmorph.interaction.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
 from freecad.sheetmorph.panels.typed import Typed
@@ -79,6 +80,7 @@ class RegionPanel(Panel):
         self._spaces = session.show(Wireframe(session.view))
         session.at_end(self._remove_view)
         self._mouse = session.show(PickMouse(session.view, self))
+        Folds({self.form.advanced: "OpenSelector"})
         self._tools = PickTools(self.form, None, self.picked)
         self._tools.choose(picking.RIM if role == "form feature" else picking.FACE)
         self._faults = FaultBar(self.form, session, model.assembly_of(part))
@@ -143,9 +145,7 @@ class RegionPanel(Panel):
         self._faults.say("")
         self._show_sentence()
         refused = ", ".join(f"'{label}'" for label in self._picker.refused)
-        text = translate(
-            "SheetMorph_region", "What {0} has already is left out: a vertex has one of them."
-        )
+        text = translate("SheetMorph_region", "Skipped vertices that already belong to {0}.")
         say(self.form.message, text.format(refused) if refused else "", bool(refused))
 
     def _other_part(self, ray):

@@ -26,7 +26,7 @@ def beyond(histogram) -> str:
     """Return the number of elements beyond the limit as text, empty without a limit."""
     if histogram is None or histogram.limit is None:
         return ""
-    text = translate("SheetMorph_panels", "; {0} of {1} elements beyond {2:g}")
+    text = translate("SheetMorph_panels", "; {0} of {1} elements beyond the limit of {2:g}")
     return text.format(histogram.failing, histogram.count, histogram.limit)
 
 
@@ -77,7 +77,7 @@ class ShowFields:
         histogram = legend and legend.histogram
         if legend is not None:
             low, high = legend.span
-            ends = f"{low:g} to {high:g}"
+            ends = f"{low:g}–{high:g} {self._live.unit}".strip()
             self._form.scale_text.setText(f"{ends}; {self._live.worst}{beyond(histogram)}")
             bars = None if histogram is None else histogram_picture(histogram)
             self._view_legend.show_values(gradient(), f"{ends}\n{self._live.worst}", bars)

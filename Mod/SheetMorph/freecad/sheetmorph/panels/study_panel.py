@@ -56,7 +56,9 @@ class StudyPanel(Panel):
         if self._run is not None:
             say(
                 self.form.message,
-                translate("SheetMorph_panels", "Wait for the variants, or stop them."),
+                translate(
+                    "SheetMorph_panels", "Variants are still being computed. Wait, or stop them."
+                ),
             )
             return False
         return self._kept()
@@ -274,7 +276,7 @@ class StudyPanel(Panel):
         study_table.fill_results(self.form.results, results)
         text = translate("SheetMorph_panels", "No variants yet.")
         if results:
-            hint = translate("SheetMorph_panels", "{0}. A double click takes the morph there.")
+            hint = translate("SheetMorph_panels", "{0}. Double-click a row to apply the variant.")
             text = hint.format(study_table.counted(results))
         say(self.form.counts, text)
 

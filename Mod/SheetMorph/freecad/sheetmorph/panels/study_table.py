@@ -11,7 +11,7 @@ from freecad.sheetmorph.tools.studies import LENGTH, NUMBER
 NAME, WHAT, LOW, HIGH = range(4)
 HEADS = (
     QT_TRANSLATE_NOOP("SheetMorph_panels", "Name"),
-    QT_TRANSLATE_NOOP("SheetMorph_panels", "Changes"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Number"),
     QT_TRANSLATE_NOOP("SheetMorph_panels", "From"),
     QT_TRANSLATE_NOOP("SheetMorph_panels", "To"),
 )
@@ -21,6 +21,11 @@ MARKS = {
     "refused": ("–", "#c98500", QT_TRANSLATE_NOOP("SheetMorph_panels", "refused")),
     "error": ("!", "#d64545", QT_TRANSLATE_NOOP("SheetMorph_panels", "error")),
 }
+HEADINGS = {
+    "angle": QT_TRANSLATE_NOOP("SheetMorph_panels", "smallest corner, °"),
+    "stretch": QT_TRANSLATE_NOOP("SheetMorph_panels", "stretch, %"),
+}
+"""The headings of measures whose names do not say their unit."""
 READ_ONLY = QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable
 RIGHT = QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter
 
@@ -72,7 +77,7 @@ def parameters_in(table, variables) -> list:
             text = table.item(row, column).text()
             value = number_in(text, variable.unit)
             if value is None:
-                fault = translate("SheetMorph_panels", "“{0}” of “{1}” is no number.")
+                fault = translate("SheetMorph_panels", "“{0}” for “{1}” is not a number.")
                 raise ValueError(fault.format(text, name))
             ends.append(value)
         found.append((name, variable, *ends))
@@ -93,7 +98,7 @@ def fill_results(table, results: dict) -> None:
         translate("SheetMorph_panels", "Run"),
         translate("SheetMorph_panels", "State"),
         *names,
-        *measures,
+        *(translate("SheetMorph_panels", HEADINGS[m]) if m in HEADINGS else m for m in measures),
     ]
     prepare(table, heads, len(heads) - 1)
     table.setSortingEnabled(False)
@@ -109,9 +114,14 @@ def fill_results(table, results: dict) -> None:
         values = [row["parameters"].get(name) for name in names]
         values += [row["measures"].get(name) for name in measures]
         for column, value in enumerate(values, 2):
-            text = "" if value is None else words.plain(value, 4)
-            put(table, (number, column), text, value)
+            is_share = column - 2 >= len(names) and measures[column - 2 - len(names)] == "stretch"
+            put(table, (number, column), shown(value, 100.0 if is_share else 1.0), value)
     table.setSortingEnabled(True)
+
+
+def shown(value: float | None, factor: float) -> str:
+    """Return a value of the table as text, empty without one."""
+    return "" if value is None else words.plain(factor * value, 4)
 
 
 def put(table, place: tuple, text: str, value):

@@ -48,7 +48,7 @@ class ThicknessPanel(Panel):
         for widget in (form.scale, form.low, form.high, form.bend, form.mark):
             widget.setVisible(solid is not None)
         if solid is None:
-            text = translate("SheetMorph_panels", "'{0}' is no thin solid: {1}.")
+            text = translate("SheetMorph_panels", "'{0}' is not a thin solid: {1}.")
             say(form.message, text.format(self._part.Label, self._reason))
             return
         values = solid.thicknesses
@@ -75,11 +75,15 @@ class ThicknessPanel(Panel):
 def summary(solid) -> str:
     """Return the result as rich text."""
     low, high = colour_scale.range_of(solid.thicknesses)
+    thickness = translate("SheetMorph_panels", "Median thickness <b>{0}</b>, from {1} to {2}")
+    holes = translate("SheetMorph_panels", "Holes through both skins: {0}")
+    thick = translate("SheetMorph_panels", "Thick regions (stay rigid): {0}")
+    missing = translate("SheetMorph_panels", "{0} walls and thick regions: no thickness")
+    values = words.length(solid.thickness, 4), words.plain(low, 4), words.length(high, 4)
     lines = [
-        f"Typically <b>{words.length(solid.thickness, 4)}</b>, "
-        f"from {words.plain(low, 4)} to {words.length(high, 4)}"
+        thickness.format(*values),
+        holes.format(len(solid.holes)),
+        thick.format(len(solid.lumps)),
+        missing.format(chip(colour_scale.MISSING)),
     ]
-    lines.append(f"Holes through both skins: {len(solid.holes)}")
-    lines.append(f"Lumps, which stay rigid: {len(solid.lumps)}")
-    lines.append(f"{chip(colour_scale.MISSING)} walls and lumps: no thickness")
     return "<br>".join(lines)

@@ -28,11 +28,11 @@ class Direct:
         self._module = importlib.import_module("sheetmorph._coin")
         theirs, ours = coin.SoDB.getVersion(), self._module.coin_version()
         if theirs != ours:
-            raise ValueError(f"it is for {ours}, FreeCAD draws with {theirs}")
+            raise ValueError(f"it is built for {ours}, but FreeCAD draws with {theirs}")
         drawn = coin.SoCoordinate3(), coin.SoNormal(), coin.SoIndexedFaceSet()
         self.mesh_nodes(drawn, TRIED, np.array([[0, 1, 2]], np.int32), 0.5)
         if not np.array_equal(nodes.rows(drawn[0].point), TRIED):
-            raise ValueError("what it writes is not what FreeCAD sees")
+            raise ValueError("FreeCAD does not see what it writes")
 
     def mesh_nodes(self, drawn, points: np.ndarray, triangles: np.ndarray, crease: float):
         """Return an object that draws a mesh through three nodes, as `through_pivy.MeshNodes`."""

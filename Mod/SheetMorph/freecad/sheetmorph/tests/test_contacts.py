@@ -48,7 +48,7 @@ class TestTouching(support.DocumentTest):
             (self.part, self.part, 1.0, "two parts"),
             (self.part, second, -1.0, "zero or more"),
             (self.part, second, float("nan"), "finite"),
-            (self.part.Source, second, 1.0, "no part"),
+            (self.part.Source, second, 1.0, "not a SheetMorph part"),
         ):
             with self.subTest(words), self.assertRaisesRegex(ValueError, words):
                 api.touching_vertices(a, b, distance)
@@ -92,7 +92,7 @@ class TestContact(support.DocumentTest):
             ("no vertex 9999", lambda: api.add_contact(self.assembly, one, (self.second, [9999]))),
             ("not in the morph", lambda: api.add_contact(stranger, one, other)),
             ("glued", lambda: api.set_contact_type(self.contact, "glued")),
-            ("no contact", lambda: api.set_active(self.handle, False)),
+            ("not a SheetMorph contact", lambda: api.set_active(self.handle, False)),
             ("no side 'c'", lambda: api.contact_vertices(self.contact, "c")),
             ("no vertex -1", lambda: api.set_contact_vertices(self.contact, "a", [-1])),
         ):

@@ -113,7 +113,7 @@ class TestImport(DeckTest):
     def test_what_is_no_deck_is_refused_in_words(self):
         path = os.path.join(self.folder, "strip.obj")
         support.write_obj(path, *support.strip())
-        with self.assertRaisesRegex(ValueError, "no deck; use import_part"):
+        with self.assertRaisesRegex(ValueError, "not a deck; use import_part"):
             api.import_deck(self.assembly, path)
 
     def test_deleting_its_parts_deletes_the_deck(self):

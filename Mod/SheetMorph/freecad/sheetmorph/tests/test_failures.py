@@ -104,7 +104,7 @@ class TestFailures(support.DocumentTest):
     def test_a_lost_deformation_is_named(self):
         self.document.removeObject(deformation_of(self.assembly).Name)
         self.document.recompute()
-        self.assertIn("in no morph", self.part.getStatusString())
+        self.assertIn("not in a morph", self.part.getStatusString())
         with self.assertRaisesRegex(ValueError, "'Deformation'"):
             api.add_fixed(self.assembly, self.part, [1])
         self.assertEqual(model.kind(self.assembly), model.ASSEMBLY)

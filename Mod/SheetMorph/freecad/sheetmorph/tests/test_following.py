@@ -210,13 +210,13 @@ class TestFollowing(DocumentTest):
         before = api.rest_mesh(part)[0]
         boxes = [Part.makeBox(20, 20, 2, Vector(x, 0, 0)) for x in (0, 40)]
         source.Shape = Part.makeCompound(boxes)
-        with self.assertRaisesRegex(ValueError, "has 2 solids now and had 1"):
+        with self.assertRaisesRegex(ValueError, "now has 2 solids instead of 1"):
             api.follow_shape(part)
         source.Shape = Part.Shape()
         with self.assertRaisesRegex(ValueError, "has no faces"):
             api.follow_shape(part)
         self.document.removeObject(source.Name)
-        with self.assertRaisesRegex(ValueError, "follows no shape"):
+        with self.assertRaisesRegex(ValueError, "has no shape to follow"):
             api.follow_shape(part)
         np.testing.assert_array_equal(api.rest_mesh(part)[0], before)
 

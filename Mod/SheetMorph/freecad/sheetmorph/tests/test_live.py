@@ -114,7 +114,7 @@ class TestLive(support.DocumentTest):
         with self.assertRaises(solving.MorphError) as raised:
             self.live.deform({self.handle.Name: Motion(axis=(0.0, 0.0, 0.0), angle=9.0)})
         self.assertNotIn("\n", str(raised.exception))
-        with self.assertRaisesRegex(solving.MorphError, "no complete morph"):
+        with self.assertRaisesRegex(solving.MorphError, "not a complete morph"):
             live_session.live(self.part.Source)
 
 

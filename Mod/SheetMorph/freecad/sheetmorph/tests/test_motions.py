@@ -89,7 +89,7 @@ class TestHandles(MotionTest):
             with self.subTest(words), self.assertRaisesRegex(ValueError, words):
                 api.set_motion(self.handle, **arguments)
         self.assertEqual(self.handle.TranslationX.Value, 1.0)
-        with self.assertRaisesRegex(ValueError, "not handle"):
+        with self.assertRaisesRegex(ValueError, "not .handle"):
             api.set_motion(self.document.getObjectsByLabel("Clamp")[0], (0, 0, 1))
 
 

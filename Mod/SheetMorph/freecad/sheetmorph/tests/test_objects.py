@@ -58,11 +58,11 @@ class TestCreation(support.DocumentTest):
         other = self.add_source(document=self.new_document())
         count = len(self.document.Objects)
         for source, words in (
-            (part.Source, "already is"),
-            (part, "already is"),
+            (part.Source, "is already in"),
+            (part, "is already in"),
             (empty, "no triangles"),
-            (assembly, "no mesh"),
-            (None, "no mesh"),
+            (assembly, "not a mesh"),
+            (None, "not a mesh"),
             (other, "another document"),
         ):
             with self.subTest(words), self.assertRaisesRegex(ValueError, words):
@@ -71,7 +71,7 @@ class TestCreation(support.DocumentTest):
 
     def test_only_an_assembly_takes_parts(self):
         source = self.add_source()
-        with self.assertRaisesRegex(ValueError, "no assembly"):
+        with self.assertRaisesRegex(ValueError, "not a SheetMorph assembly"):
             api.add_part(source, source)
 
 
@@ -232,7 +232,7 @@ class TestDeletion(support.DocumentTest):
         api.remove(assembly)
         self.assertEqual([obj.Name for obj in self.document.Objects], [source.Name])
         self.assertTrue(source.Visibility)
-        with self.assertRaisesRegex(ValueError, "no assembly, part, region or contact"):
+        with self.assertRaisesRegex(ValueError, "not an assembly, part, region or contact"):
             api.remove(source)
 
     def test_a_group_deleted_by_hand_leaves_parts_that_say_so(self):

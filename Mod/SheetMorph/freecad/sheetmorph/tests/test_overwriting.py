@@ -43,7 +43,7 @@ class Exports:
                     theirs.parent.mkdir(parents=True)
                     theirs.write_bytes(THEIRS)
                     self.assertEqual(self.places(number, taken), {name})
-                    with self.assertRaisesRegex(ValueError, "is there already"):
+                    with self.assertRaisesRegex(ValueError, "already exists"):
                         export(str(taken))
                     self.assertEqual(theirs.read_bytes(), THEIRS)
 

@@ -66,7 +66,9 @@ class TestPlacements(support.DocumentTest):
         link.LinkedObject = source
         assembly = api.create_assembly(self.document)
         for add in (api.add_part, api.add_shape):
-            with self.assertRaisesRegex(ValueError, "'Door right' is a link.* choose 'Door',"):
+            with self.assertRaisesRegex(
+                ValueError, "the link 'Door right'.* choose the object 'Door' "
+            ):
                 add(assembly, link)
         self.assertEqual(api.add_part(assembly, source).Source, source)
 

@@ -105,13 +105,13 @@ class TestPoses(support.DocumentTest):
         self.assertEqual(new.TranslationX.Value, 0.0)
 
     def test_what_is_no_pose_is_refused_in_words(self):
-        for wrong, text in (((None, None), "None"), ((self.part, None), "no pose")):
+        for wrong, text in (((None, None), "None"), ((self.part, None), "not a SheetMorph pose")):
             with self.assertRaisesRegex(ValueError, text):
                 api.blend_poses(*wrong, 0.5)
         other = api.create_assembly(self.document)
-        with self.assertRaisesRegex(ValueError, "no pose of"):
+        with self.assertRaisesRegex(ValueError, "not a pose of"):
             api.copy_as_meshes(other, self.high)
-        with self.assertRaisesRegex(ValueError, "same"):
+        with self.assertRaisesRegex(ValueError, "one assembly"):
             api.blend_poses(self.high, api.save_pose(other), 0.5)
 
     def test_they_undo_and_go_with_their_assembly(self):

@@ -44,7 +44,7 @@ class TestSplitting(DocumentTest):
 
     def test_what_is_marked_is_not_torn(self):
         marked = api.add_fixed(self.assembly, self.part, [0, 1, 2])
-        with self.assertRaisesRegex(ValueError, "split it first, then mark its pieces"):
+        with self.assertRaisesRegex(ValueError, "split the part first, then mark its pieces"):
             api.split_part(self.part)
         self.assertEqual(marked.Part, self.part)
 

@@ -157,7 +157,7 @@ class TestOneFolder(RecipeTest):
         assembly = self.rich_morph()
         path = self.exported(assembly)
         before = self.contents()
-        with self.assertRaisesRegex(ValueError, '"morph.json" beside it reads this file'):
+        with self.assertRaisesRegex(ValueError, '"morph.json" next to it reads this file'):
             api.write_parts(assembly, self.path("recipe"))
         self.assertEqual(self.contents(), before)
         again = api.import_recipe(self.new_document(), path)
@@ -176,7 +176,7 @@ class TestOneFolder(RecipeTest):
         self.exported(assembly)
         objects.parts(assembly)[0].Source.Placement = support.placement((1, 2, 3), (0, 0, 1), 5)
         before = self.contents()
-        with self.assertRaisesRegex(ValueError, "name another folder"):
+        with self.assertRaisesRegex(ValueError, "choose another folder"):
             api.export_recipe(assembly, self.path("recipe", "second.json"))
         self.assertEqual(self.contents(), before)
 

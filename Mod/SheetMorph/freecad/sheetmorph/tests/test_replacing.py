@@ -100,7 +100,7 @@ class TestReplacing(DocumentTest):
         self.document.recompute()
         self.assertEqual(api.preparation_of(part)["remesh"]["edge"], 4.0)
         self.assertEqual(found["different"], [regions[2].Name])
-        self.assertIn("nearest ones", found["told"][0])
+        self.assertIn("nearest vertices", found["told"][0])
         self.assert_resolved(part, regions[:2])
         points = api.rest_mesh(part)[0][api.vertices(regions[2])]
         self.assertLess(np.abs(np.hypot(points[:, 0] - 40, points[:, 1] - 20) - 5).min(), 0.1)
@@ -111,7 +111,7 @@ class TestReplacing(DocumentTest):
         where = {"found": "round hole", "diameter": [9.9, 10.1]}
         api.set_vertices(regions[2], where)
         found = api.replace_file(part, self.step("b.step", ("plate", plate(40.0, 7.0))), SIZES)
-        self.assertIn("'Hole' keeps its vertices alone", found["told"][0])
+        self.assertIn("'Hole' keeps its vertices without a selector", found["told"][0])
         self.assertIsNone(api.where(regions[2]))
         self.assertGreater(len(api.vertices(regions[2])), 0)
 
@@ -123,7 +123,7 @@ class TestReplacing(DocumentTest):
         self.assertEqual(round(float(np.ptp(api.rest_mesh(part)[0][:, 1])), 6), 46.0)
         part.Label = "cover"
         before = api.rest_mesh(part)[0]
-        with self.assertRaisesRegex(ValueError, 'no single one called .cover.*"lid", "plate"'):
+        with self.assertRaisesRegex(ValueError, 'not exactly one is called .cover.*"lid", "plate"'):
             api.replace_file(part, two, SIZES)
         np.testing.assert_array_equal(api.rest_mesh(part)[0], before)
 
@@ -143,7 +143,7 @@ class TestReplacing(DocumentTest):
             written = file.read()
         with open(new, encoding="utf-8") as file:
             self.assertEqual(written, file.read())
-        with self.assertRaisesRegex(ValueError, "is of a mesh file"):
+        with self.assertRaisesRegex(ValueError, "comes from a mesh file"):
             api.replace_file(part, self.step("a.step", ("plate", plate())))
         self.assertEqual(len([o for o in model.parts(self.assembly)]), 1)
         self.assertIsNotNone(selecting.sentence_of(clamp))

@@ -63,7 +63,7 @@ class TestThinSolids(DocumentTest):
         self.assertLess(np.abs(self.gaps(self.deformed()) / THICKNESS - 1.0).max(), 0.005)
         api.set_thin(self.part, 9.0)
         self.document.recompute()
-        self.assertIn("it is no thin solid", self.assembly.Status)
+        self.assertIn("it is not a thin solid", self.assembly.Status)
         for nonsense in ("yes", True, 0.0, -1.0):
             with self.assertRaises(ValueError):
                 api.set_thin(self.part, nonsense)

@@ -100,13 +100,13 @@ def with_unit_of(diagnosis: dict, first: dict) -> dict:
 
 def as_text(diagnosis: dict) -> str:
     """Return a diagnosis as rich text: the kind of mesh and its faults."""
-    kinds = {"open shell": "an open sheet", "thin solid": "a thin solid", "mixed": "of many kinds"}
+    kinds = {"open shell": "an open sheet", "thin solid": "a thin solid", "mixed": "of mixed kinds"}
     kind = kinds.get(diagnosis["kind"], f"a {diagnosis['kind']}")
     number = diagnosis["triangles"]
     lines = [f"<b>{number:,} triangle{'' if number == 1 else 's'}, {kind}.</b>"]
     lines += [f"&bull; {escape(finding['text'])}" for finding in diagnosis["findings"]]
     if not is_needed(diagnosis):
-        lines.append("It is fit to bend as it is.")
+        lines.append("The mesh is ready to bend.")
     return "<br>".join(lines)
 
 
@@ -119,11 +119,11 @@ def summary(made) -> str:
     lines.append(preparation(done))
     if fresh:
         lines.append(
-            f"At most {length(fresh['deviation'], 2)} from the facets as they were, "
-            f"{length(fresh['flat_deviation'], 1)} on flats"
+            f"At most {length(fresh['deviation'], 2)} from the original facets, "
+            f"{length(fresh['flat_deviation'], 1)} on flat faces"
         )
         if fresh["rims"] == "circle":
-            rims = ("rim put on its circle", "rims put on their circles")
+            rims = ("rim fitted to its circle", "rims fitted to their circles")
             lines.append(counted(fresh["rims_on_circles"], *rims))
     if done["unsettled"]:
         lines.append(escape(done["unsettled"]))

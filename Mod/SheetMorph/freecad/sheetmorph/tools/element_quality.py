@@ -9,18 +9,19 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad.sheetmorph.tools import colour_scale
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 BINS = 24
 # For each measure: its unit, the label of its worst value, the first ends of its colours.
 MEASURES = {
-    "aspect": ("", "worst aspect", (1.0, 2.0)),
-    "warpage": ("°", "worst warpage", (0.0, 1.0)),
-    "skew": ("°", "worst skew", (0.0, 90.0)),
-    "taper": ("", "worst taper", (0.0, 1.0)),
-    "jacobian": ("", "worst Jacobian", (0.0, 1.0)),
-    "min_angle": ("°", "sharpest corner", (0.0, 90.0)),
-    "max_angle": ("°", "bluntest corner", (60.0, 180.0)),
-    "min_length": ("mm", "shortest edge", (0.0, 1.0)),
+    "aspect": ("", QT_TRANSLATE_NOOP("SheetMorph_panels", "worst aspect"), (1.0, 2.0)),
+    "warpage": ("°", QT_TRANSLATE_NOOP("SheetMorph_panels", "worst warpage"), (0.0, 1.0)),
+    "skew": ("°", QT_TRANSLATE_NOOP("SheetMorph_panels", "worst skew"), (0.0, 90.0)),
+    "taper": ("", QT_TRANSLATE_NOOP("SheetMorph_panels", "worst taper"), (0.0, 1.0)),
+    "jacobian": ("", QT_TRANSLATE_NOOP("SheetMorph_panels", "worst Jacobian"), (0.0, 1.0)),
+    "min_angle": ("°", QT_TRANSLATE_NOOP("SheetMorph_panels", "smallest corner"), (0.0, 90.0)),
+    "max_angle": ("°", QT_TRANSLATE_NOOP("SheetMorph_panels", "largest corner"), (60.0, 180.0)),
+    "min_length": ("mm", QT_TRANSLATE_NOOP("SheetMorph_panels", "shortest edge"), (0.0, 1.0)),
 }
 LOW_IS_BAD = ("jacobian", "min_angle", "min_length")
 Positions = dict[str, np.ndarray]

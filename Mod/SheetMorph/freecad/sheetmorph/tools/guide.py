@@ -24,45 +24,46 @@ NO_DOCUMENT = QT_TRANSLATE_NOOP(
     "Import a mesh or CAD file, or select meshes in the tree and create a morph.",
 )
 MANY_MORPHS = QT_TRANSLATE_NOOP(
-    "SheetMorph_Guide", "This document has several morphs: select one of them in the tree."
+    "SheetMorph_Guide", "This document has several morphs: select one in the tree."
 )
 NO_PARTS = QT_TRANSLATE_NOOP(
     "SheetMorph_Guide", "The morph has no part yet: import a file or add a mesh."
 )
 SOME_PARTS = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Parts: {count}; “{primary}” is deformed first.")
 EDITED = QT_TRANSLATE_NOOP(
-    "SheetMorph_Guide", "“{source}” was edited: Follow Shape lets “{part}” follow."
+    "SheetMorph_Guide", "“{source}” was edited: use Follow Shape to update “{part}”."
 )
 NO_FIXED = QT_TRANSLATE_NOOP(
-    "SheetMorph_Guide", "Nothing is held yet: mark what stays where it is."
+    "SheetMorph_Guide", "Nothing is fixed yet: mark a region that stays in place."
 )
 SOME_FIXED = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Fixed regions: {count}.")
 NO_FEATURES = QT_TRANSLATE_NOOP(
     "SheetMorph_Guide",
-    "No hole keeps its shape yet: find them all, or pick those that matter. Or go on without.",
+    "No hole keeps its shape yet: find all holes, mark the important ones, " "or skip this step.",
 )
 SOME_FEATURES = QT_TRANSLATE_NOOP(
-    "SheetMorph_Guide", "Form features that keep their shape exactly: {count}."
+    "SheetMorph_Guide", "Form features that keep their exact shape: {count}."
 )
-ONE_PART = QT_TRANSLATE_NOOP("SheetMorph_Guide", "One part only: there is nothing to connect.")
+ONE_PART = QT_TRANSLATE_NOOP("SheetMorph_Guide", "There is only one part: no contact is needed.")
 ONE_FOR_ALL = QT_TRANSLATE_NOOP(
-    "SheetMorph_Guide", "One control mesh around everything moves all parts."
+    "SheetMorph_Guide", "A single control mesh around everything moves all parts."
 )
 UNREACHED = QT_TRANSLATE_NOOP(
-    "SheetMorph_Guide", "Not connected with “{primary}”, so they would not follow: {parts}."
+    "SheetMorph_Guide",
+    "These parts are not connected to “{primary}” and will not follow: " "{parts}.",
 )
-SOME_CONTACTS = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Contacts, reaching every part: {count}.")
+SOME_CONTACTS = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Contacts: {count}; they connect all parts.")
 NO_HANDLE = QT_TRANSLATE_NOOP(
-    "SheetMorph_Guide", "Nothing can be moved yet: mark what you want to move."
+    "SheetMorph_Guide", "There is no handle yet: mark a region that you want to move."
 )
 SOME_HANDLES = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Handles: {count}.")
 NOT_READY = QT_TRANSLATE_NOOP(
-    "SheetMorph_Guide", "Comes when there is a fixed region and a handle."
+    "SheetMorph_Guide", "Available after you mark a fixed region and a handle."
 )
-NOT_MOVED = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Everything is ready: move the handle and watch.")
+NOT_MOVED = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Everything is ready: move the handle.")
 MOVED = QT_TRANSLATE_NOOP(
     "SheetMorph_Guide",
-    "Moved. Move on, export the parts, keep this as a pose, or study variants.",
+    "The handle has moved. Move it further, export the parts, save a pose, " "or run a study.",
 )
 
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad.sheetmorph.tools import colour_scale
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 PERFECT = 60.0  # degrees: the corners of an equilateral triangle
 MOST_PLACES = 10
@@ -25,7 +26,7 @@ Positions = dict[str, np.ndarray]
 class Displacement:
     """The distance of every vertex from its position at rest, mm."""
 
-    unit, worst = "mm", "farthest"
+    unit, worst = "mm", QT_TRANSLATE_NOOP("SheetMorph_panels", "largest displacement")
 
     def __init__(self, rest: Positions):
         self._rest = rest
@@ -38,7 +39,7 @@ class Displacement:
 class Quality:
     """The smallest corner of the triangles at every vertex, degrees; 60 is best."""
 
-    unit, worst = "°", "sharpest corner"
+    unit, worst = "°", QT_TRANSLATE_NOOP("SheetMorph_panels", "smallest corner")
     is_low_bad = True
 
     def __init__(self, core, triangles: dict[str, np.ndarray]):
@@ -64,7 +65,7 @@ class Stretch:
     The reference is the shape at rest with the sizes of the pose, see `start_from`.
     """
 
-    unit, worst = "%", "largest stretch"
+    unit, worst = "%", QT_TRANSLATE_NOOP("SheetMorph_panels", "largest stretch")
 
     def __init__(self, stretches, meshes: dict[str, tuple], regions: Iterable[Region] = ()):
         """Prepare the measure for parts at rest.
@@ -175,7 +176,7 @@ class Side:
 class Gaps:
     """The change of the distance from the vertices of contacts to the other part, mm."""
 
-    unit, worst = "mm", "largest change"
+    unit, worst = "mm", QT_TRANSLATE_NOOP("SheetMorph_panels", "largest change")
 
     def __init__(self, core, meshes: dict[str, tuple], sides: Iterable[Side]):
         """Measure the gaps at rest; `meshes` has points (n, 3) and triangles (m, 3) by part."""

@@ -191,7 +191,7 @@ def placed(where: Said, frame: Any) -> Said:
     if not isinstance(where, dict):
         return where
     if "drawn" in where or ("box" in where and not np.array_equal(frame.rotation, np.eye(3))):
-        raise ValueError("It is in the coordinates of the part's file alone.")
+        raise ValueError("It uses only the coordinates of the part's file.")
     found = {}
     for key, value in where.items():
         if key in PLACES:

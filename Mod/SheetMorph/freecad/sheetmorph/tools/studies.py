@@ -60,14 +60,14 @@ def criteria_in(text: str) -> dict[str, dict[str, float]]:
         limit = _LIMIT.fullmatch(piece)
         if limit is None:
             raise ValueError(
-                f"'{piece.strip()}' is no criterion; write it such as stretch <= 0.2, and commas "
-                "between several."
+                f"'{piece.strip()}' is not a criterion; write it like stretch <= 0.2, "
+                "with commas between several."
             )
         name, sign, value = limit.groups()
         try:
             found.setdefault(name, {})["max" if sign == "<=" else "min"] = float(value)
         except ValueError:
-            raise ValueError(f"'{value}' in '{piece.strip()}' is no number.") from None
+            raise ValueError(f"'{value}' in '{piece.strip()}' is not a number.") from None
     return found
 
 

@@ -71,7 +71,7 @@ def _opened(title: str, action) -> None:
 def add_assembly_actions(menu, assembly) -> None:
     """Add Propagation, and an entry that shows a fault."""
     if model.failure_of(assembly):
-        title = QT_TRANSLATE_NOOP("SheetMorph_menus", "Show What Is Wrong")
+        title = QT_TRANSLATE_NOOP("SheetMorph_menus", "Show Problem")
         _add(menu, "MorphFault", title, lambda: Gui.runCommand("SheetMorph_Guide"))
     _add(
         menu,

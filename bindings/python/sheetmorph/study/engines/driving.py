@@ -93,7 +93,7 @@ class Driver:
                 self._hopes.finished(given.pop(future), cost)
             idle = 0 if done or pool.knows is None or pool.knows() else idle + 1
             if idle >= _PATIENCE:
-                raise Forgotten("it was started anew")
+                raise Forgotten("it was started again")
 
     def _may_give(self, task: Task, pool: Pool, given: dict[Future[_Outcome], Task]) -> bool:
         """Return whether to submit a task; repeatedly lost ones run alone to find the culprit."""
@@ -110,7 +110,7 @@ class Driver:
             if self._hopes.is_done(task):
                 self._hopes.finished(task, Cost())
             elif self._tries[task.run] >= _TRIES:
-                what = f"its worker died {_TRIES} times ({type(error).__name__})"
+                what = f"its worker process ended {_TRIES} times ({type(error).__name__})"
                 self._hopes.lost(task, what)
             else:
                 waiting.append(task)
@@ -120,6 +120,6 @@ def _outcome(future: Future[_Outcome]) -> _Outcome:
     try:
         return future.result()
     except ImportError as error:
-        what = f"the workers cannot load what computes variants ({error})"
+        what = f"the workers cannot load SheetMorph ({error})"
         todo = "start them with this package on their PYTHONPATH"
         return Cost(), Fault("study", what, todo)
