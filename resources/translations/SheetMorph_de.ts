@@ -364,8 +364,8 @@
  <context>
   <name>SheetMorph_Manual</name>
   <message>
-   <source>Manual</source>
-   <translation>Handbuch</translation>
+   <source>SheetMorph Manual</source>
+   <translation>SheetMorph-Handbuch</translation>
   </message>
   <message>
    <source>Opens the manual in the browser, also without a network</source>

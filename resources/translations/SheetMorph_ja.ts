@@ -364,8 +364,8 @@
  <context>
   <name>SheetMorph_Manual</name>
   <message>
-   <source>Manual</source>
-   <translation>マニュアル</translation>
+   <source>SheetMorph Manual</source>
+   <translation>SheetMorph マニュアル</translation>
   </message>
   <message>
    <source>Opens the manual in the browser, also without a network</source>

@@ -12,7 +12,7 @@ class Manual(Command):
     """The command that opens the start page of the manual."""
 
     name = "SheetMorph_Manual"
-    text = QT_TRANSLATE_NOOP("SheetMorph_Manual", "Manual")
+    text = QT_TRANSLATE_NOOP("SheetMorph_Manual", "SheetMorph Manual")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_Manual", "Opens the manual in the browser, also without a network"
     )
