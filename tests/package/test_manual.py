@@ -111,9 +111,8 @@ def test_every_command_of_the_workbench_has_its_page(manual: Path):
     named = set(re.findall(r"\bSheetMorph_\w+", text))
     assert len(named) > 30
     for name in named:
-        page = manual / "command" / f"{name}.html"
-        assert "All commands" in words_of(page)
-        assert words_of(page).count(name) <= 1  # the menu text is its title, not the name
+        page = words_of(manual / "command" / f"{name}.html")
+        assert "How to use it" in page and "All commands" in page
 
 
 def read(path: Path) -> str:

@@ -28,7 +28,7 @@ class Manual(Command):
         page = paths.manual("index.html")
         if not page:
             raise RuntimeError(
-                "The manual is not installed; run ./sheetmorph docs and ./sheetmorph install."
+                "The manual is not installed; run ./sheetmorph docs, then ./sheetmorph install."
             )
         if not QtGui.QDesktopServices.openUrl(QtCore.QUrl(page)):
             raise RuntimeError(f"No browser opens {page}; open this address in one.")
