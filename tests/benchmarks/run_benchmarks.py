@@ -33,7 +33,7 @@ def machine() -> str:
     name = names[0] if names else platform.machine()
     load = os.getloadavg()[0]
     day = datetime.date.today().isoformat()
-    system = platform.platform()
+    system = f"{platform.system()} {platform.release().partition('-')[0]}"
     return f"{day}, {name}, {os.cpu_count()} cores, {system}, load {load:.1f} at the start"
 
 
