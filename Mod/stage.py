@@ -2,7 +2,8 @@
 """Stages the add-on: the workbench, the Python package, its compiled modules and the resources.
 
 Copies what changed and removes what vanished, so that a staged folder is always what a fresh one
-would be. Called by the build: stage.py SOURCE STAGED [MODULE or TRANSLATION ...]
+would be. The manual joins them if `./sheetmorph docs` has built it.
+Called by the build: stage.py SOURCE STAGED [MODULE or TRANSLATION ...]
 """
 import filecmp
 import os
@@ -50,6 +51,14 @@ def wanted_files(source: Path, modules: list[Path]) -> dict[Path, Path]:
     return wanted
 
 
+def built_manual(staged: Path) -> dict[Path, Path]:
+    """Path in the add-on -> page of the manual, of the build that the staged folder is in."""
+    pages = staged.resolve().parents[1] / "docs" / "html"
+    if not (pages / "index.html").is_file():
+        return {}
+    return {Path("manual") / name: pages / name for name in files_below(pages)}
+
+
 def place_of_built(file: Path) -> Path:
     """The place in the add-on of a file that the build made: a module or compiled translation."""
     folder = "resources/translations" if file.suffix == ".qm" else "sheetmorph"
@@ -86,7 +95,7 @@ def remove_vanished(staged: Path, wanted: dict[Path, Path]) -> None:
 
 def stage(source: Path, staged: Path, modules: list[Path]) -> None:
     """Makes the staged folder equal to what the sources say."""
-    wanted = wanted_files(source, modules)
+    wanted = wanted_files(source, modules) | built_manual(staged)
     staged.mkdir(parents=True, exist_ok=True)
     for target, origin in wanted.items():
         copy_if_changed(origin, staged / target)

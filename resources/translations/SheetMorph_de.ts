@@ -362,6 +362,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_Manual</name>
+  <message>
+   <source>SheetMorph Manual</source>
+   <translation>SheetMorph-Handbuch</translation>
+  </message>
+  <message>
+   <source>Opens the manual in the browser, also without a network</source>
+   <translation>Öffnet das Handbuch im Browser, auch ohne Netz</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_MarkContact</name>
   <message>
    <source>Mark Contact…</source>

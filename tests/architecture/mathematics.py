@@ -101,10 +101,11 @@ def missing_tests(held: list[tuple[str, str]], root: Path = ROOT) -> list[str]:
     return faults
 
 
-def is_named_in_a_header(entry: Entry, kernel: Path = KERNEL) -> bool:
-    """Whether a header of what computes an equation of the paper says its number."""
-    headers = {(kernel / path).with_suffix(".h") for path, _ in entry.computed}
-    texts = [header.read_text() for header in sorted(headers) if header.is_file()]
+def is_named_in_the_code(entry: Entry, kernel: Path = KERNEL) -> bool:
+    """Whether a source that computes an equation of the paper, or its header, has its number."""
+    sources = {kernel / path for path, _ in entry.computed}
+    sources |= {source.with_suffix(".h") for source in sources}
+    texts = [source.read_text() for source in sorted(sources) if source.is_file()]
     # Alone or among others: (2.9), (2.9, 2.10).
     number = re.compile(rf"\((?:[23]\.\d+, )*{re.escape(entry.number())}(?:, [23]\.\d+)*\)")
     return any(number.search(text) for text in texts)

@@ -6,7 +6,7 @@ from mathematics import (
     Entry,
     entries,
     invariants,
-    is_named_in_a_header,
+    is_named_in_the_code,
     missing_sources,
     missing_tests,
     pairs,
@@ -23,6 +23,11 @@ def test_every_equation_of_the_paper_has_one_entry():
     assert sorted(numbers) == sorted(EQUATIONS)
 
 
+def test_every_equation_of_the_paper_leads_to_one_function():
+    named = {entry.number(): entry.computed for entry in ENTRIES if entry.number()}
+    assert {number: found for number, found in named.items() if len(found) != 1} == {}
+
+
 @BY_TITLE
 def test_what_computes_an_equation_exists(entry):
     assert missing_sources(entry) == []
@@ -37,7 +42,7 @@ def test_what_holds_an_equation_exists(entry):
 @pytest.mark.parametrize("number", EQUATIONS)
 def test_the_code_names_the_equation_where_it_computes_it(number):
     (entry,) = [entry for entry in ENTRIES if entry.number() == number]
-    assert is_named_in_a_header(entry)
+    assert is_named_in_the_code(entry)
 
 
 def test_the_invariants_are_tested():
@@ -84,11 +89,11 @@ def test_what_does_not_exist_is_noticed(kernel):
     assert missing_tests(held, kernel) == ["sums_test.cpp has no Sum.IsTwo", "no file sum_test.cpp"]
 
 
-def test_an_equation_that_no_header_names_is_noticed(kernel):
+def test_an_equation_that_the_code_does_not_name_is_noticed(kernel):
     computed = pairs("`sums.cpp`: `Sum::of`")
-    assert is_named_in_a_header(Entry("(2.10)", computed), kernel)
-    assert is_named_in_a_header(Entry("(2.1)", computed), kernel)
-    assert not is_named_in_a_header(Entry("(2.11)", computed), kernel)
+    assert is_named_in_the_code(Entry("(2.10)", computed), kernel)
+    assert is_named_in_the_code(Entry("(2.1)", computed), kernel)
+    assert not is_named_in_the_code(Entry("(2.11)", computed), kernel)
 
 
 def test_the_table_of_invariants_is_read():

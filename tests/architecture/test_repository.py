@@ -20,14 +20,6 @@ def strangers(names: list[str]) -> list[str]:
     return sorted(set(kept) - TOP_LEVEL)
 
 
-def project_version() -> str:
-    """The version number, from where it is written: CMake's project()."""
-    text = (ROOT / "CMakeLists.txt").read_text()
-    found = re.search(r"project\(SheetMorph VERSION (\d+\.\d+\.\d+)", text)
-    assert found, "CMakeLists.txt names no version"
-    return found.group(1)
-
-
 def manifest() -> ElementTree.Element:
     """package.xml without its namespace."""
     root = ElementTree.parse(ROOT / "package.xml").getroot()
@@ -46,11 +38,34 @@ def test_a_stranger_at_the_top_is_noticed():
     assert IGNORED
 
 
-def test_there_is_one_version_number():
-    version = project_version()
-    assert manifest().findtext("version") == version
-    assert f"## {version}" in (ROOT / "CHANGELOG.md").read_text()
-    assert f'version = "{version}"' in (ROOT / "pyproject.toml").read_text()
+def releases() -> list[tuple[str, str]]:
+    """Version and date of the releases in the changelog, newest first."""
+    text = (ROOT / "CHANGELOG.md").read_text()
+    return re.findall(r"^## \[(\d+\.\d+\.\d+)\] - (\d{4}-\d\d-\d\d)$", text, re.MULTILINE)
+
+
+def test_the_manifest_has_the_version_number_of_the_newest_release():
+    root = manifest()
+    assert (root.findtext("version"), root.findtext("date")) == releases()[0]
+
+
+def test_the_package_has_the_version_number_of_the_manifest():
+    text = (ROOT / "bindings" / "python" / "sheetmorph" / "__init__.py").read_text()
+    assert f'\n__version__ = "{manifest().findtext("version")}"\n' in text
+
+
+@pytest.mark.parametrize("name", ["CMakeLists.txt", "pyproject.toml"])
+def test_a_build_reads_the_version_number_from_the_manifest(name):
+    version = manifest().findtext("version")
+    text = (ROOT / name).read_text()
+    assert "package.xml" in text
+    assert version not in text
+
+
+def test_the_changelog_begins_with_what_is_not_released():
+    titles = re.findall(r"^## \[(.+?)\]", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)
+    assert titles[0] == "Unreleased"
+    assert titles[1:] == [version for version, _ in releases()]
 
 
 def test_the_manifest_names_what_exists():

@@ -30,6 +30,19 @@ def staged_files(staged):
     return sorted(path.relative_to(staged).as_posix() for path in staged.rglob("*.*"))
 
 
+def test_the_manual_is_staged_if_it_is_built(staging, tmp_path):
+    source, staged = tmp_path / "source", tmp_path / "build" / "Mod" / "SheetMorph"
+    source.mkdir()
+    page = tmp_path / "build" / "docs" / "html" / "command" / "One.html"
+    page.parent.mkdir(parents=True)
+    page.write_text("one")
+    staging.stage(source, staged, [])
+    assert not (staged / "manual").exists()
+    (page.parents[1] / "index.html").write_text("start")
+    staging.stage(source, staged, [])
+    assert (staged / "manual" / "command" / "One.html").read_text() == "one"
+
+
 def test_everything_comes_to_its_place(staging, source, tmp_path):
     module = tmp_path / "_core.so"
     module.write_text("machine code")

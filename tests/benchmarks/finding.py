@@ -3,7 +3,7 @@
 
     PYTHONPATH=build/Mod/SheetMorph /usr/bin/python3 tests/benchmarks/finding.py
 
-Prints the table of resources/docs/finding.md. Times are medians of 5; run it when nothing else
+Prints a table of resources/docs/benchmarks.md. Times are medians of 5; run it when nothing else
 does.
 """
 

@@ -106,7 +106,14 @@ def table(part: RealPart | None) -> str:
     """One row of Markdown, or nothing."""
     if part is None:
         return ""
-    head = ["real part", "vertices", "free holes", "set-up", "first frame", "learning behind it"]
+    head = [
+        "real part",
+        "vertices",
+        "free holes",
+        "set-up",
+        "first frame",
+        "response fields in the background",
+    ]
     times = (part.set_up, part.first_frame, part.learning, part.frame, part.exact)
     cells = ["main sheet of set 03, thin solid", f"{part.vertices:,}", str(part.holes)]
     cells += [f"{1e3 * t:.3g} ms" for t in times]

@@ -5,6 +5,7 @@ Called by `./sheetmorph bench`. Tables are printed and kept with the JSON and a 
 build/bench; arguments this program does not know go to Google Benchmark.
 """
 import argparse
+import datetime
 import json
 import os
 import platform
@@ -26,12 +27,14 @@ DOCS = Path(__file__).resolve().parents[2] / "resources" / "docs"
 
 
 def machine() -> str:
-    """Processor, cores and system in one line."""
+    """Date, processor, cores and system in one line."""
     info = Path("/proc/cpuinfo").read_text(encoding="ascii", errors="replace")
     names = re.findall(r"model name\s*:\s*(.*)", info)
     name = names[0] if names else platform.machine()
     load = os.getloadavg()[0]
-    return f"{name}, {os.cpu_count()} cores, {platform.platform()}, load {load:.1f} at the start"
+    day = datetime.date.today().isoformat()
+    system = f"{platform.system()} {platform.release().partition('-')[0]}"
+    return f"{day}, {name}, {os.cpu_count()} cores, {system}, load {load:.1f} at the start"
 
 
 def run(program: Path, arguments: list[str], output: Path, is_large: bool) -> dict:
@@ -96,12 +99,12 @@ def main(arguments: list[str]) -> int:
     found = measured(report, "cpu_time" if options.processor_time else "real_time")
     is_whole = not any(word.startswith("--benchmark_filter") for word in passed_on)
     more = whole_run(found, program, folder, options.large) if is_whole else []
-    parts = [head, panel_table(found), *more, remeshing_table(found), other_table(found)]
-    text = "\n\n".join(part for part in parts if part) + "\n"
+    parts = [part for part in (head, panel_table(found), *more, remeshing_table(found)) if part]
+    text = "\n\n".join([*parts, other_table(found)]) + "\n"
     (folder / "tables.md").write_text(text, encoding="utf-8")
     draw(found, folder / "benchmarks.png")
     if options.write_page:
-        write_page(DOCS / "benchmarks.md", text)
+        write_page(DOCS / "benchmarks.md", "\n\n".join(parts))
         shutil.copy(folder / "benchmarks.png", DOCS / "pictures" / "benchmarks.png")
     print(f"\n{text}\nwritten: {folder}/benchmarks.json, tables.md, benchmarks.png")
     return 0

@@ -3,7 +3,7 @@
 
     PYTHONPATH=build/Mod/SheetMorph /usr/bin/python3 tests/benchmarks/studies.py [variants]
 
-Prints the tables of resources/docs/study-costs.md. Processor time is what counts: it hardly depends
+Prints tables of resources/docs/benchmarks.md. Processor time is what counts: it hardly depends
 on what else the machine does.
 """
 

@@ -10,7 +10,7 @@ import FreeCADGui as Gui
 import settling
 from desk import activate, child, click_point, laid_out, on_screen, panel, press, press_tool
 from desk import settled, tools_called, until, xdotool
-from freecad.sheetmorph import actions, api, subject
+from freecad.sheetmorph import actions, api, paths, subject
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model, watcher
 from freecad.sheetmorph.qt import QtCore, QtWidgets, draw, frame_of
@@ -27,6 +27,7 @@ __all__ = [
     "test_ok_with_nothing_picked_says_what_to_do",
     "test_what_a_click_would_take_lights_up",
     "test_a_removed_part_gives_its_source_back_to_the_view",
+    "test_the_help_of_freecad_has_the_manual",
     "test_no_command_fails_when_asked_whether_it_is_active",
     "test_commands_look_at_no_document_before_there_is_a_morph",
     "test_commands_know_the_morphs_that_came_and_went",
@@ -183,13 +184,23 @@ def test_a_removed_part_gives_its_source_back_to_the_view():
     assert regions("fixed") == []
 
 
+def test_the_help_of_freecad_has_the_manual():
+    yield from activate()
+    entries = Gui.getMainWindow().menuBar().actions()
+    (menu,) = [action.menu() for action in entries if action.text().replace("&", "") == "Help"]
+    (entry,) = [action for action in menu.actions() if action.text() == "SheetMorph Manual"]
+    assert entry.isEnabled()
+    # What FreeCAD opens for an entry that is clicked on in the mode "What's This?".
+    assert entry.whatsThis() in (paths.manual_of("SheetMorph_Manual"), entry.statusTip())
+
+
 def test_no_command_fails_when_asked_whether_it_is_active():
     yield from activate()
     names = [name for name in Gui.listCommands() if name.startswith("SheetMorph_")]
     assert len(names) >= 12
     active = {name for name in names if Gui.Command.get(name).isActive()}
     always = {"Guide", "CreateMorph", "ImportPart", "ImportRecipe", "OpenExample"}
-    always |= {"CheckInstallation"}
+    always |= {"CheckInstallation", "Manual"}
     assert active == {f"SheetMorph_{name}" for name in always}
     yield from new_morph()
     Gui.Selection.clearSelection()

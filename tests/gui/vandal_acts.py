@@ -70,7 +70,8 @@ def press_tool(chance):
 
 def ours(action) -> bool:
     name = action.objectName() if action is not None else ""
-    return name.startswith("SheetMorph_") and name != "SheetMorph_OpenExample"
+    elsewhere = ("SheetMorph_OpenExample", "SheetMorph_Manual")  # a dialog, the browser
+    return name.startswith("SheetMorph_") and name not in elsewhere
 
 
 def select(chance):

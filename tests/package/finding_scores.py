@@ -3,7 +3,7 @@
 
     PYTHONPATH=build/Mod/SheetMorph /usr/bin/python3 tests/package/finding_scores.py
 
-prints the tables of resources/docs/finding.md.
+prints tables of resources/docs/accuracy.md.
 """
 
 from __future__ import annotations

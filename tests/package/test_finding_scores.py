@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Precision and recall on labelled models, measured or drawn, fine or coarse: at least 95 % of the
-round holes of 8 rim vertices or more and of the contacts; the figures stand in finding.md."""
+round holes of 8 rim vertices or more and of the contacts; the figures stand in accuracy.md."""
 
 from __future__ import annotations
 

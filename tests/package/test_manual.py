@@ -106,6 +106,15 @@ def test_the_page_of_commands_lists_every_command_of_the_workbench(manual: Path)
     assert [name for name in named if name not in text] == []
 
 
+def test_every_command_of_the_workbench_has_its_page(manual: Path):
+    text = words_of(manual / "reference" / "commands.html")
+    named = set(re.findall(r"\bSheetMorph_\w+", text))
+    assert len(named) > 30
+    for name in named:
+        page = words_of(manual / "command" / f"{name}.html")
+        assert "How to use it" in page and "All commands" in page
+
+
 def read(path: Path) -> str:
     """The text of a file."""
     return path.read_text("utf-8")

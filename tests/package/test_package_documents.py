@@ -15,7 +15,6 @@ import sheetmorph
 import sheetmorph.decks
 from sheetmorph.cli import main
 from sheetmorph.kernel import load_kernel
-from sheetmorph.recipe import schema
 from sheetmorph.report import report_schema
 
 DOCUMENTS = Path(__file__).resolve().parents[2] / "resources" / "docs"
@@ -72,14 +71,6 @@ def test_the_way_of_a_deck_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     assert [card["card"] for card in told["stale"]] == ["CORD2R"]
     moved = sheetmorph.decks.read_deck(tmp_path / "morphed" / "plate.bdf")
     assert moved.points[moved.find(np.array([200]))[0], 2] > 0.5
-
-
-def test_the_recipe_document_names_every_key_of_the_schema():
-    text = (DOCUMENTS / "recipe.md").read_text("utf-8")
-    definitions = schema()["$defs"].values()
-    keys = {key for entry in definitions for key in entry.get("properties", {})}
-    keys |= set(schema()["properties"])
-    assert [key for key in sorted(keys) if not re.search(rf'[`"]{re.escape(key)}[`"]', text)] == []
 
 
 def test_the_package_document_names_every_public_name():

@@ -18,7 +18,6 @@ import pytest
 import sheetmorph
 from sheetmorph.certifying import certify, read_criteria
 from sheetmorph.cli import main
-from sheetmorph.study import study_schema
 from study_samples import contents, rows_of, write_recipe, write_study
 
 LIFT = {"path": "pose.tip.translation[2]", "range": [0, 10]}
@@ -437,12 +436,3 @@ def test_the_examples_of_the_document_run(tmp_path: Path, monkeypatch: pytest.Mo
     names: dict[str, object] = {}
     exec(compile(code, "studies.md", "exec"), names)
     assert set(names["measures"]) == {"tip.x", "tip.y", "tip.z", "stretch"}
-
-
-def test_the_document_names_every_key_of_the_schema():
-    text = (DOCUMENTS / "studies.md").read_text("utf-8")
-    keys = set(study_schema()["properties"])
-    for entry in study_schema()["$defs"].values():
-        keys |= set(entry.get("properties", {}))
-    keys -= {"$schema"}
-    assert [key for key in sorted(keys) if not re.search(rf'[`"]{key}[`"]', text)] == []

@@ -50,7 +50,7 @@ from .selecting.words import (
 )
 from .session import Drag, Result, Session
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = [
     "Caution",

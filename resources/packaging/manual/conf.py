@@ -9,7 +9,7 @@ ROOT = HERE.parents[2]
 # The manual describes the sources beside it, not an installed package.
 sys.path[:0] = [str(HERE), str(ROOT / "bindings" / "python")]
 
-_found = re.search(r"SheetMorph VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text("utf-8"))
+_found = re.search(r"<version>([\d.]+)<", (ROOT / "package.xml").read_text("utf-8"))
 
 project = "SheetMorph"
 author = "The SheetMorph developers"

@@ -4,6 +4,7 @@ import re
 from typing import Any
 
 import reference
+import workbench
 from pygments.lexers.special import TextLexer
 
 MARKER = re.compile(r"^<!-- generated: ([\w -]+) -->$", re.MULTILINE)
@@ -24,5 +25,6 @@ def _read(_app: Any, _page: str, source: list[str]) -> None:
 def setup(app: Any) -> dict[str, Any]:
     """Connect to the event that Sphinx sends for each page it reads."""
     app.connect("source-read", _read)
+    app.connect("html-collect-pages", lambda _app: workbench.command_pages())
     app.add_lexer("obj", TextLexer)  # Pygments has none for OBJ files
     return {"parallel_read_safe": True, "parallel_write_safe": True}

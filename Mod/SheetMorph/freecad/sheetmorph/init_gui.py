@@ -25,6 +25,7 @@ class SheetMorphWorkbench(Gui.Workbench):
         for title, names in self.toolbars.items():
             self.appendToolbar(title, names)
         self.appendMenu("&SheetMorph", commands.menu())
+        self.appendMenu("&Help", ["SheetMorph_Manual"])
 
     def Activated(self):
         """Place the toolbars, and warn if the kernel cannot be used."""

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The paths of the add-on's icons, panels and examples."""
+"""The paths of the add-on's icons, panels, examples and manual."""
 
 import os
+from pathlib import Path
 
 # abspath, not realpath: a staged add-on may consist of links, next to its resources.
 _ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -31,3 +32,14 @@ def translations() -> str:
 def examples() -> str:
     """Return the absolute path of the folder of examples."""
     return os.path.join(_RESOURCES, "examples")
+
+
+def manual(page: str) -> str:
+    """Return the address of a page of the installed manual, empty without that page."""
+    path = Path(_ROOT, "manual", page)
+    return path.as_uri() if path.is_file() else ""
+
+
+def manual_of(command: str) -> str:
+    """Return the address of the page of a command, empty without a manual."""
+    return manual(f"command/{command}.html")

@@ -74,7 +74,7 @@ RigidMotion motion_of(const Body& body, const BodyState& state, const Vector3& r
 //! prescribed ones.
 BodyMotions known_body_motions(const PlacementInput& part, const SurfaceTargets& targets);
 
-//! All rotations that the pose gives to the rotation field.
+//! All rotations that the pose gives to the rotation field (2.8).
 GivenRotations given_rotations(const PlacementInput& part, const SurfaceTargets& targets,
                                const BodyMotions& bodies);
 

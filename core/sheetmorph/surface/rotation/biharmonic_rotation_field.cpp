@@ -133,6 +133,7 @@ bool is_rotation_known(const VertexRoles& roles, int vertex)
     return false;
 }
 
+//! (2.9).
 std::unique_ptr<RotationField> biharmonic_rotation_field(const RotationFieldInput& input,
                                                          const RotationField* earlier)
 {

@@ -311,6 +311,7 @@ private:
 
 }  // namespace
 
+//! (2.7), with smoothed weights.
 std::unique_ptr<RotationField> blended_rotation_field(const RotationFieldInput& input,
                                                       const RotationField* earlier)
 {

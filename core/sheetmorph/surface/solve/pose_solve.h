@@ -7,7 +7,7 @@
 namespace sheetmorph::surface
 {
 
-//! Solves one part in one pose (interactive phase; 2.9, 2.10). The energy, the field or the pose
+//! Solves one part in one pose (2.9, 2.10). The energy, the field or the pose
 //! determine its features (mathematics.md, section 4).
 Deformation solve_pose(const PreparedSurface& part, const SurfaceTargets& targets,
                        Exactness exactness, const Progress& progress = {});

@@ -4,7 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.commands import contacts, create, exchange, features, finding, guide
-from freecad.sheetmorph.commands import installation, motion, poses, regions, sheets, study
+from freecad.sheetmorph.commands import installation, manual, motion, poses, regions, sheets, study
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
@@ -55,7 +55,7 @@ _TOOLBARS = {
         exchange.ExportRecipe,
         exchange.ImportRecipe,
     ),
-    "Help": (exchange.OpenExample, installation.CheckInstallation),
+    "Help": (exchange.OpenExample, manual.Manual, installation.CheckInstallation),
 }
 
 

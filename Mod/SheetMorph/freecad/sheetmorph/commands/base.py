@@ -26,7 +26,8 @@ class Command:
             "MenuText": self.text,
             "ToolTip": self.tooltip,
             "StatusTip": self.tooltip,
-            "WhatsThis": self.tooltip,
+            # FreeCAD opens an address, and searches its wiki for any other text.
+            "WhatsThis": paths.manual_of(self.name) or self.tooltip,
             "CmdType": "AlterDoc" if self.alters else "ForEdit",
         }
 

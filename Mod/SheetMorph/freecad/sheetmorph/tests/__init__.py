@@ -36,6 +36,7 @@ MODULES = tuple(
         "examples",
         "registration",
         "preferences",
+        "manual",
         "workbench",
         "live",
         "poses",
