@@ -194,7 +194,7 @@ def torn_recipe(folder: Path) -> Path:
 def test_a_contact_that_opens_badly_is_a_warning_and_fails_a_strict_run(tmp_path: Path):
     path = torn_recipe(tmp_path)
     report = sheetmorph.run(path, tmp_path / "out")
-    (told,) = [text for text in report["warnings"] if text.startswith('"seam"')]
+    (told,) = [text for text in report["warnings"] if text.startswith('the gap of "seam"')]
     assert "half its gap of 1 mm" in told and "tied or rigid" in told
     assert set(report["warnings"]) <= set(report["notes"])
     with pytest.raises(CertificateError, match="seam"):
@@ -220,7 +220,7 @@ def test_check_tries_every_pose_that_run_can_be_told(tmp_path: Path):
     recipe["poses"] = {"far": {"tip": {"rotation": {"axis": [1, 0, 0], "degrees": 150}}}}
     path.write_text(json.dumps(recipe))
     (told,) = sheetmorph.check(path)
-    assert told.startswith('pose "far": "seam" opens or closes')
+    assert told.startswith('pose "far": the gap of "seam" changes')
     assert sheetmorph.check(path, pose={}) == []
     with pytest.raises(CertificateError, match="seam"):
         sheetmorph.check(path, strict=True)

@@ -337,7 +337,7 @@ def test_a_study_that_is_killed_goes_on_to_the_same_end(tmp_path: Path):
         ),
         ({"parameters": {"a": {"path": "features.slot.size", "range": [0, 1]}}}, 'no "slot"'),
         ({"parameters": {"a": {"path": "pose..tip", "range": [0, 1]}}}, "is not a path"),
-        ({"parameters": {"a": {"path": "pose.tip", "range": [0, 1]}}}, "no number"),
+        ({"parameters": {"a": {"path": "pose.tip", "range": [0, 1]}}}, "not to a number"),
         ({"parameters": {"a": {"path": "energy", "range": [0, 1]}}}, "energy: "),
         ({"parameters": {"a": {"range": [1, 0]}}}, "the first number is larger"),
         ({"parameters": {"a": {}}}, "it has no range"),

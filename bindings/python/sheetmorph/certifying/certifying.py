@@ -287,7 +287,7 @@ def _failures(entry: dict[str, Any], criteria: Criteria) -> list[str]:
             count = part["newly_failing"]
             where, fails = f" of {part['name']} newly", ("fails", "fail")[count != 1]
             failing = [
-                f"{one['measure']} {one['failing_after']}, {one['failing_before']} before"
+                f"{one['measure']}: {one['failing_after']} fail, {one['failing_before']} before"
                 for one in part["quality"]
                 if one["failing_after"] > one["failing_before"]
             ]
