@@ -38,4 +38,4 @@ def test_a_blank_has_its_whole_area_or_is_refused(case: Callable[[str], Path], f
         (blank,) = (folder / "out").glob("*.obj")
         assert area(blank) == pytest.approx(AREAS[file], rel=0.01)
     else:
-        assert "cannot be laid flat" in done.said
+        assert "cannot be flattened" in done.said

@@ -82,7 +82,7 @@ def test_a_cad_file_is_a_part(folder: Path, name: str):
     for foot, radius in (((15, 20), 3.0), ((40, 20), 5.0)):
         wall = on_cylinder(part.points, foot, radius)
         assert len(wall) >= 2 * 18
-    assert "written as OBJ" in file.notes[0]
+    assert "from the CAD surfaces" in file.notes[0]
 
 
 def test_an_assembly_is_split_into_named_parts_with_ids_of_the_whole_file(folder: Path):

@@ -187,7 +187,7 @@ def test_what_is_not_there_or_another_deck_is_told(folder: Path, capsys):
         ('{"elements": {"skew": {"most": 1}}}', '"skew" needs numbers'),
         ('{"set": "none"}', 'no set "none"'),
         ('{"limits": {}}', 'unknown key "limits"'),
-        ('{"time_step": {"target_ms": "fast"}}', "no number"),
+        ('{"time_step": {"target_ms": "fast"}}', "is not a number"),
         ("{", "it is not JSON"),
     ],
 )

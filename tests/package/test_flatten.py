@@ -191,5 +191,5 @@ def test_a_closed_roll_says_that_it_does_not_fit(tmp_path):
         [24 * z + (k + 1) % 24, 24 * (z + 1) + (k + 1) % 24, 24 * (z + 1) + k] for z in range(5)
     ]
     triangles = np.vstack([np.column_stack(row) for row in rows])
-    with pytest.raises(NotFlat, match="cannot be laid flat"):
+    with pytest.raises(NotFlat, match="cannot be flattened"):
         flat_patterns(written(tmp_path / "tube.obj", points, triangles))

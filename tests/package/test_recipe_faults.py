@@ -219,7 +219,7 @@ def test_a_corrupt_part_file_is_a_fault_with_its_line(folder: Path):
     (folder / "cover.obj").write_bytes(OBJ.replace(b"v 0 0 0", b"v 0 0 x"))
     fault = faults_of(RECIPE, folder)[0]
     assert fault.where == f"parts[0] (cover).file, {folder / 'cover.obj'}, line 4"
-    assert fault.what == '"x" is not valid'
+    assert fault.what == '"x" is not a number'
 
 
 def test_random_damage_to_a_recipe_never_gives_another_error(folder: Path):

@@ -35,4 +35,4 @@ def test_one_triangle_folds_and_two_fold():
 
 def test_a_cured_mesh_says_one_in_the_singular():
     done = {"welded": 1, "removed": 1, "split": 0, "turned": 3}
-    assert preparation(done) == "1 vertex welded, 1 triangle removed, 0 cut, 3 turned"
+    assert preparation(done) == "1 vertex merged, 1 triangle removed, 0 cut, 3 reoriented"

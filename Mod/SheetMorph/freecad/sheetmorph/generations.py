@@ -13,6 +13,18 @@ SELECTION_SWITCHES = ("selectionRole", "selectionEnabled")
 """The field of a 3D view's root for selection by clicks, until 1.0 and since 1.1."""
 
 
+def document_named(name: str):
+    """Return an open document by its name, None if there is none.
+
+    `App.listDocuments` of FreeCAD 0.20 leaks every name that it returns, so no code that runs often
+    may call it.
+    """
+    try:
+        return App.getDocument(name)
+    except NameError:
+        return None
+
+
 _viewers: dict = {}
 
 

@@ -10,6 +10,7 @@ from contextlib import ExitStack, contextmanager, nullcontext
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from freecad.sheetmorph import generations
 from freecad.sheetmorph.editing.pending import Pending
 from freecad.sheetmorph.editing.view_of import is_alive, mdi_area, shown_view
 from freecad.sheetmorph.editing.watch import Watch
@@ -100,7 +101,8 @@ class Session(QtCore.QObject):
 
     def _select_again(self) -> None:
         for document, name in self._aside:
-            if document in App.listDocuments() and App.getDocument(document).getObject(name):
+            found = generations.document_named(document)
+            if found is not None and found.getObject(name):
                 Gui.Selection.addSelection(document, name)
 
 
@@ -159,7 +161,7 @@ class EditingSession(Session):
 
     def is_document_open(self) -> bool:
         """Return whether the same document is still open."""
-        return App.listDocuments().get(self._name) == self.document
+        return generations.document_named(self._name) == self.document
 
     def _take_back(self) -> None:
         if self.is_document_open():

@@ -12,6 +12,7 @@ from functools import lru_cache
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from freecad.sheetmorph import generations
 from freecad.sheetmorph.bridge import kernel, solving
 from freecad.sheetmorph.interaction.finishing_bar import FinishingBar
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
@@ -84,7 +85,7 @@ class Finish(QtCore.QObject):
 
     def assembly(self):
         """Return the morph, None if it no longer exists."""
-        is_open = App.listDocuments().get(self._document_name) == self._document
+        is_open = generations.document_named(self._document_name) == self._document
         return self._document.getObject(self._name) if is_open else None
 
     def is_in(self, document) -> bool:

@@ -9,6 +9,7 @@ from contextvars import ContextVar
 
 import FreeCAD
 
+from freecad.sheetmorph import generations
 from freecad.sheetmorph.objects.model import (
     ASSEMBLY,
     CONTACT,
@@ -159,9 +160,8 @@ def together() -> Iterator[None]:
     finally:
         _PUT_OFF.reset(before)
         for document, name in changed:
-            assembly = None
-            if document in FreeCAD.listDocuments():
-                assembly = FreeCAD.getDocument(document).getObject(name)
+            found = generations.document_named(document)
+            assembly = found and found.getObject(name)
             if assembly is not None:
                 follow_group(assembly)
 

@@ -20,6 +20,11 @@ LEGEND = {
 WIDTH = 340  # px at which a panel is readable
 # on any theme
 FAULT_STYLE = "color: #8f1d1d; background: #fde7e7; padding: 3px; border-radius: 3px;"
+# Has its own frame and ground: Qt caches every drawing of a button with only a colour of its own.
+CHOSEN = (
+    "QToolButton:checked, QPushButton:checked { border: 2px solid #4a90d9; border-radius: 3px;"
+    " background: rgba(74, 144, 217, 70); }"
+)
 MARGINS = 110  # px of the task view around a panel, with its scroll bar
 
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The fields of a motion in the Move Handle panel."""
 
+from freecad.sheetmorph.panels.base import CHOSEN
 from freecad.sheetmorph.qt import QtCore, connect, translate
 from freecad.sheetmorph.tools.motion import Motion
 
-PRESSED = "QPushButton:checked { color: black; }"  # dark styles would write blue on blue
 DRIVEN = {
     "translation_x": "TranslationX",
     "translation_y": "TranslationY",
@@ -30,7 +30,7 @@ class MotionFields(QtCore.QObject):
             connect(getattr(form, f"axis_{c}"), "valueChanged(double)", self._send)
             connect(getattr(form, f"pivot_{c}"), "valueChanged(double)", self._leave_centroid)
             getattr(form, f"along_{c}").setCheckable(True)
-            getattr(form, f"along_{c}").setStyleSheet(PRESSED)
+            getattr(form, f"along_{c}").setStyleSheet(CHOSEN)
             connect(
                 getattr(form, f"along_{c}"), "clicked()", lambda _=False, d=c: self._turn_about(d)
             )

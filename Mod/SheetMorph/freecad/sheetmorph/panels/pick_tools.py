@@ -4,6 +4,7 @@
 import math
 
 from freecad.sheetmorph import paths, preferences
+from freecad.sheetmorph.panels.base import CHOSEN
 from freecad.sheetmorph.panels.number_field import loaded
 from freecad.sheetmorph.qt import connect, icon_of, translate
 from freecad.sheetmorph.tools import figures, picking
@@ -20,11 +21,6 @@ ONLY_FOR = {
     "rings": (picking.RIM,),
     "radius": (figures.BRUSH,),
 }
-CHOSEN = (
-    # visible in dark styles too
-    "QToolButton:checked { border: 2px solid #4a90d9; border-radius: 3px;"
-    " background: rgba(74, 144, 217, 70); }"
-)
 KEYS = QT_TRANSLATE_NOOP("SheetMorph_picking", "Click picks, Shift adds, Ctrl removes.")
 HINTS = {
     figures.BRUSH: QT_TRANSLATE_NOOP(
