@@ -51,7 +51,7 @@ class Runner:
 
     def step(self) -> None:
         """Runs a test up to its next pause; a recompute, which handles events too, is let be."""
-        if any(document.Recomputing for document in App.listDocuments().values()):
+        if any(document.Recomputing for document in settling.DOCUMENTS.found):
             later(20, self.step)
             return
         try:

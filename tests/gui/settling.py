@@ -19,6 +19,24 @@ _due = {"last": 0.0}  # when the last timer that was started is over
 _workers = weakref.WeakSet()
 
 
+class Documents:
+    """The open documents: App.listDocuments of FreeCAD 0.20 leaks memory, and tests ask all the
+    time."""
+
+    def __init__(self):
+        self.found = list(App.listDocuments().values())
+        App.addDocumentObserver(self)
+
+    def slotCreatedDocument(self, document) -> None:
+        self.found.append(document)
+
+    def slotDeletedDocument(self, document) -> None:
+        self.found.remove(document)
+
+
+DOCUMENTS = Documents()
+
+
 def watch() -> None:
     """From now on; before the first test."""
     from freecad.sheetmorph.interaction.frame_worker import FrameWorker
@@ -74,8 +92,7 @@ def is_anything_due() -> bool:
 
 def is_at_work() -> bool:
     """Whether FreeCAD or the workbench does something for which the window waits."""
-    documents = App.listDocuments().values()
-    if any(one.Recomputing or one.Restoring or one.Transacting for one in documents):
+    if any(one.Recomputing or one.Restoring or one.Transacting for one in DOCUMENTS.found):
         return True
     from freecad.sheetmorph.interaction.finishing import finishing
 
