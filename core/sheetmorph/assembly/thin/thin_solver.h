@@ -4,6 +4,7 @@
 #include "sheetmorph/assembly/system/system.h"
 #include "sheetmorph/assembly/thin/thin_reduction.h"
 #include "sheetmorph/assembly/thin/thin_sizes.h"
+#include "sheetmorph/surface/surface_deformer.h"
 #include "sheetmorph/volume/local_rotations.h"
 
 namespace sheetmorph::assembly
