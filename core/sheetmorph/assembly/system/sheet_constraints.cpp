@@ -87,17 +87,14 @@ public:
             const int index = static_cast<int>(k);
             if (!is_source && !is_target)
                 continue;
-            VertexIds side = is_target ? moved(weld.target_part, weld.target) : VertexIds();
+            VertexIds side = is_source ? moved(weld.source_part, weld.source) : VertexIds();
+            if (is_target)
+                for (const int vertex : moved(weld.target_part, weld.target))
+                    side.push_back(vertex);
             if (is_source && is_target)
-            {
-                VertexIds all = moved(weld.source_part, weld.source);
-                all.insert(all.end(), side.begin(), side.end());
-                add_carrier(sheet, index, all);
-            }
+                add_carrier(sheet, index, side);
             else if (weld.is_held)
             {
-                if (is_source)
-                    side = moved(weld.source_part, weld.source);
                 sheet.surface.fixed.push_back(region_of(weld, side));
                 // As a body, so that what else would move a part of it is refused.
                 held.push_back(body_of(weld, side));
@@ -109,7 +106,7 @@ public:
                 sheet.carried.push_back(index);
             }
             else
-                add_carrier(sheet, index, moved(weld.source_part, weld.source));
+                add_carrier(sheet, index, side);
         }
         sheet.surface.features.insert(sheet.surface.features.end(), held.begin(), held.end());
     }

@@ -84,18 +84,15 @@ void ThinSolver::find_movers(const ThinSolverInput& input)
     const auto side_of = [&](int weld)
     { return side_of_weld(input.whole, input.system.welds[at(weld)], input.index); };
     std::vector<VertexIds> features, handles, fixed;
-    for (const int body : owner.bodies)
+    for (const int feature : owner.features)
     {
-        const std::size_t k = at(body), own = sheet.features.size();
-        if (k < own)
-        {
-            const PartFeature& feature = input.whole.features[at(sheet.features[k])];
-            features.push_back(feature.vertices);
-            sizes_.add(part_->mesh(), feature);
-        }
-        else if (k < own + sheet.carriers.size())
-            features.push_back(side_of(sheet.carriers[k - own]));
+        features.push_back(input.whole.features[at(feature)].vertices);
+        sizes_.add(part_->mesh(), input.whole.features[at(feature)]);
     }
+    for (const int body : owner.bodies)
+        if (const int weld = body - static_cast<int>(sheet.features.size());
+            weld >= 0 && weld < static_cast<int>(sheet.carriers.size()))
+            features.push_back(side_of(sheet.carriers[at(weld)]));
     for (const int handle : owner.handles)
     {
         const surface::KnownRegion& region = sheet.surface.handles[at(handle)];
@@ -109,13 +106,12 @@ void ThinSolver::find_movers(const ThinSolverInput& input)
             fixed.push_back(region.vertices);
     for (const int weld : sheet.held)
         fixed.push_back(side_of(weld));
-    for (const VertexIds& feature : features)
-        centres_.push_back(centre_of(part_->mesh(), feature));
-
     movers_.resize(at(part_->mesh().vertex_count()));
     set_movers(movers_, features, Mover::Kind::feature);
     set_movers(movers_, handles, Mover::Kind::handle);
     set_movers(movers_, fixed, Mover::Kind::ground);
+    for (const VertexIds& feature : features)
+        centres_.push_back(centre_of(part_->mesh(), feature));
     find_middle_movers(owner, sheet);
 }
 
