@@ -104,8 +104,9 @@ void Wave::hand_out(int index, const surface::SurfaceTargets& targets) const
         {
             const surface::Deformation& all = solved(index);
             shape.positions = all.positions.middleRows(owner.first, owner.count);
-            shape.rotation_logs = all.rotation_logs.middleRows(
-                owner.first, all.rotation_logs.rows() == 0 ? 0 : owner.count);
+            const bool has_logs = all.rotation_logs.rows() > 0;
+            shape.rotation_logs = all.rotation_logs.middleRows(has_logs ? owner.first : 0,
+                                                               has_logs ? owner.count : 0);
             shape.convergence = all.convergence;
             shape.features.clear();
             for (const int body : owner.bodies)
