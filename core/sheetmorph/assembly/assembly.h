@@ -50,11 +50,6 @@ struct Part
     //! mm, of the sheet as `steel`; 0: that of the thin solid, or a hundredth of the size.
     double sheet_thickness = 0.0;
     double poisson = 0.3;  //!< Poisson's ratio, read for `steel`
-
-    std::vector<int> joined = {};  //!< first vertices of those that it is joined of, ascending
-    std::vector<Subject> of = {};  //!< those, in the same order; empty: itself
-    std::vector<PartRegion> stitches = {};  //!< vertices of it that stay together with rigid ones
-    std::vector<surface::Tie> ties = {};    //!< where its sheets stand on each other
 };
 
 //! Vertices of one part that a pose moves as one rigid body.

@@ -66,10 +66,10 @@ void check_meshes(const Assembly& assembly)
 {
     for (const Part& part : assembly.parts)
         if (part.mesh.vertex_count() == 0)
-            throw InvalidInput(label_of("part", part) + " has no vertices", "remove it");
+            throw InvalidInput(Text::about("part", part.name) + " has no vertices", "remove it");
         else if (!part.ids.empty() && part.ids.size() != at(part.mesh.vertex_count()))
-            throw InvalidInput(label_of("part", part) + " has " + std::to_string(part.ids.size())
-                                   + " vertex numbers and "
+            throw InvalidInput(Text::about("part", part.name) + " has "
+                                   + std::to_string(part.ids.size()) + " vertex numbers and "
                                    + std::to_string(part.mesh.vertex_count()) + " vertices",
                                "give every vertex its number, or none");
 }

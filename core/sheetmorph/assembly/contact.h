@@ -40,7 +40,7 @@ enum class PropagationType
 {
     local,   //!< one after the other, along the contacts (section 4.2)
     single,  //!< one control mesh around everything (section 4.1)
-    whole    //!< all at once: contacts are constraints of one system (whole/joined_parts.h)
+    whole    //!< all at once: contacts are constraints of one system (system/system.h)
 };
 
 //! How the motion of the primary reaches the other parts.

@@ -22,7 +22,9 @@ Text label_of(const std::string& kind, const Entry& entry)
 }
 
 //! The same fault with a part's name in front and its vertices as its file numbers them.
-InvalidInput in_part(const InvalidInput& fault, const Part& part);
-SolverError on_part(const SolverError& fault, const Part& part);
+inline InvalidInput in_part(const InvalidInput& fault, const Part& part)
+{
+    return fault.in_part(part.name, part.ids);
+}
 
 }  // namespace sheetmorph::assembly

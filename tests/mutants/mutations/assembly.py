@@ -39,15 +39,15 @@ MUTATIONS = [
     ),
     # Plans.
     Mutation(
-        "assembly/plan/loose_pieces.cpp",
+        "assembly/system/loose_pieces.cpp",
         "movers[at(corner)] == movers[at(first)])",
         "movers[at(corner)] != movers[at(first)])",
         "LoosePieces.*",
     ),
     Mutation(
-        "assembly/plan/part_problem.cpp",
-        "if (weld.is_held && (weld.target_part == part",
-        "if (weld.is_held && (weld.target_part != part",
+        "assembly/system/sheet_constraints.cpp",
+        "else if (weld.is_held)",
+        "else if (!weld.is_held)",
         "WeldPlan.*",
     ),
     Mutation(
@@ -160,13 +160,13 @@ MUTATIONS = [
         "SymmetryPlan.*",
     ),
     Mutation(
-        "assembly/whole/joined_parts.cpp",
-        "vertices += own.mesh.vertex_count();",
-        "vertices = own.mesh.vertex_count();",
+        "assembly/system/system.cpp",
+        "vertices += mesh.vertex_count();",
+        "vertices = mesh.vertex_count();",
         "Whole*",
     ),
     Mutation(
-        "assembly/whole/seam_ties.cpp",
+        "assembly/system/seam_ties.cpp",
         "return std::round((own - place",
         "return -std::round((own - place",
         "Whole*:CutPlates.*:HangingSheets.*",

@@ -232,6 +232,22 @@ std::vector<PlannedLink> plan_links(const Assembly& assembly, const PropagationP
     return links;
 }
 
+Points target_points(const Assembly& assembly, const PlannedLink& link)
+{
+    Eigen::Index count = 0;
+    for (const LinkTarget& target : link.targets)
+        count += static_cast<Eigen::Index>(target.vertices.size());
+    Points points(count, 3);
+    Eigen::Index row = 0;
+    for (const LinkTarget& target : link.targets)
+    {
+        const Points rows = rows_of(assembly.parts[at(target.part)].mesh.points(), target.vertices);
+        points.middleRows(row, rows.rows()) = rows;
+        row += rows.rows();
+    }
+    return points;
+}
+
 volume::OrientedBox box_of_link(const Assembly& assembly, const PlannedLink& link,
                                 const ControlBoxes& boxes)
 {

@@ -49,6 +49,9 @@ struct RigidWeld
 std::vector<PlannedLink> plan_links(const Assembly& assembly, const PropagationPlan& plan,
                                     const ControlBoxes& boxes);
 
+//! What a link decides, its targets one after the other, mm.
+Points target_points(const Assembly& assembly, const PlannedLink& link);
+
 //! The box of a link's control mesh: around everything for the single one, else around both sides
 //! of the contact and what the link decides.
 volume::OrientedBox box_of_link(const Assembly& assembly, const PlannedLink& link,

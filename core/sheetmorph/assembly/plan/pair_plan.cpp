@@ -150,12 +150,13 @@ std::vector<PlannedPair> plan_pairs(const Assembly& assembly, const PropagationP
     std::vector<int> rank(assembly.parts.size(), -1);
     for (std::size_t k = 0; k < plan.order.size(); ++k)
         rank[at(plan.order[k])] = static_cast<int>(k);
+    const bool is_at_once = assembly.propagation.type == PropagationType::whole;
     std::vector<PlannedPair> pairs;
     for (const FeaturePair& pair : assembly.pairs)
     {
         const int rank_a = rank[at(feature_of(assembly, pair.a).part)];
         const int rank_b = rank[at(feature_of(assembly, pair.b).part)];
-        const PlannedPair found = planned(assembly, pair, rank_b < rank_a);
+        const PlannedPair found = planned(assembly, pair, !is_at_once && rank_b < rank_a);
         if (rank_a >= 0 && rank_b >= 0)
             pairs.push_back(found);
     }

@@ -6,8 +6,8 @@
 namespace sheetmorph::assembly
 {
 
-//! A pair of form features with the one that leads: on one part the first, on two parts the one of
-//! the part that is deformed earlier.
+//! A pair of form features with the one that leads: of two parts that are deformed one after the
+//! other the feature of the earlier one, else the first.
 struct PlannedPair
 {
     std::string name;

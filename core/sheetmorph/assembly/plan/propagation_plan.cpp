@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/plan/propagation_plan.h"
 
-#include "sheetmorph/assembly/plan/part_pose.h"
+#include "sheetmorph/assembly/plan/feature_sizes.h"
 #include "sheetmorph/base/index.h"
 
 #include <algorithm>
@@ -84,6 +84,20 @@ void direct_contacts(const Assembly& assembly, PropagationPlan& plan)
         plan.contacts = plan.measured;
 }
 
+// Whether a pose can move a part by what is on it.
+bool has_driver(const Assembly& assembly, int part)
+{
+    const auto is_here = [part](const auto& entry) { return entry.part == part; };
+    const auto moves = [&](const PartFeature& feature)
+    {
+        return is_here(feature)
+               && (feature.rotation == surface::FeatureRotation::prescribed || is_sized(feature));
+    };
+    return std::any_of(assembly.handles.begin(), assembly.handles.end(), is_here)
+           || std::any_of(assembly.points.begin(), assembly.points.end(), is_here)
+           || std::any_of(assembly.features.begin(), assembly.features.end(), moves);
+}
+
 void reach_all(const Assembly& assembly, PropagationPlan& plan)
 {
     plan.order.push_back(assembly.primary);
@@ -131,7 +145,7 @@ PropagationPlan plan_propagation(const Assembly& assembly)
     }
     reach_from(assembly.primary, assembly, plan);
     for (const int part : parts_by_name(assembly))
-        if (plan.level[at(part)] < 0 && constraints_of_part(assembly, part).is_driven())
+        if (plan.level[at(part)] < 0 && has_driver(assembly, part))
             reach_from(part, assembly, plan);
     direct_contacts(assembly, plan);
     for (int part = 0; part < static_cast<int>(assembly.parts.size()); ++part)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/session/deformation_session.h"
 
+#include "sheetmorph/assembly/plan/pose_checks.h"
 #include "sheetmorph/assembly/session/live_drag.h"
 #include "sheetmorph/assembly/session/wave.h"
 #include "sheetmorph/base/errors.h"
@@ -34,16 +35,6 @@ void require_shapes_of(const PreparedAssembly& prepared, const Deformed& pose)
                                    + "' has another number of vertices",
                                "deform it with this session");
     }
-}
-
-// The part whose vertex of the joined one it is.
-int owner_of(const PreparedAssembly& prepared, int vertex)
-{
-    int owner = -1;
-    for (std::size_t part = 0; part < prepared.parts.size(); ++part)
-        if (const int first = prepared.places.first[part]; first >= 0 && first <= vertex)
-            owner = static_cast<int>(part);
-    return owner;
 }
 
 }  // namespace
@@ -81,10 +72,11 @@ std::optional<ShownControlMesh> DeformationSession::control_mesh(int contact,
                                                                  const Deformed& pose) const
 {
     require_shapes_of(*data_, pose);
-    for (std::size_t k = 0; k < data_->planned.size(); ++k)
-        if (data_->planned[k].contact == contact)
+    const std::vector<PlannedLink>& links = data_->system.links;
+    for (std::size_t k = 0; k < links.size(); ++k)
+        if (links[k].contact == contact)
         {
-            const std::size_t source = at(data_->planned[k].source_part);
+            const std::size_t source = at(links[k].source_part);
             const bool is_thin = data_->parts[source].thin != nullptr;
             return data_->links[k].link->control_mesh(is_thin ? pose.middles[source]
                                                               : pose.parts[source]);
@@ -126,17 +118,13 @@ const std::vector<std::optional<forms::FeatureShape>>& DeformationSession::shape
 std::vector<JoinedBody> DeformationSession::joined_bodies() const
 {
     std::vector<JoinedBody> found;
-    const PreparedAssembly& system = data_->system();
-    for (std::size_t part = 0; part < system.parts.size(); ++part)
-    {
-        const surface::SurfaceConstraints& surface = system.parts[part].problem.own.surface;
-        for (const surface::Body& body :
-             surface::merge_bodies(system.assembly.parts[part].mesh, surface))
+    for (const Sheet& sheet : data_->system.sheets)
+        for (const surface::Body& body : surface::merge_bodies(sheet.mesh, sheet.surface))
         {
             std::map<std::string, std::vector<Subject>> labels;
             for (const int feature : body.features)
             {
-                const Text label = surface.features[at(feature)].label();
+                const Text label = sheet.surface.features[at(feature)].label();
                 labels.emplace(label.full(), label.subjects());
             }
             if (labels.size() < 2)
@@ -148,7 +136,6 @@ std::vector<JoinedBody> DeformationSession::joined_bodies() const
                 joined.of.insert(joined.of.end(), subjects.begin(), subjects.end());
             }
         }
-    }
     return found;
 }
 
@@ -157,15 +144,12 @@ std::vector<LoosePieces> DeformationSession::loose_pieces() const
     std::vector<LoosePieces> of_part;
     for (std::size_t part = 0; part < data_->parts.size(); ++part)
         of_part.push_back({static_cast<int>(part), 0, 0, Vector3::Zero()});
-    const PreparedAssembly& system = data_->system();
-    for (std::size_t part = 0; part < system.parts.size(); ++part)
-        for (const VertexIds& piece : system.parts[part].problem.loose)
+    for (const Sheet& sheet : data_->system.sheets)
+        for (const VertexIds& piece : sheet.loose)
         {
-            LoosePieces& pieces =
-                of_part[data_->joined ? at(owner_of(*data_, piece.front())) : part];
-            const Points& points = system.assembly.parts[part].mesh.points();
+            LoosePieces& pieces = of_part[at(sheet.part_of(piece.front()))];
             if (++pieces.pieces == 1)
-                pieces.place = points.row(piece.front()).transpose();
+                pieces.place = sheet.mesh.points().row(piece.front()).transpose();
             pieces.vertices += static_cast<int>(piece.size());
         }
     std::vector<LoosePieces> found;
@@ -178,17 +162,18 @@ bool DeformationSession::is_held(int part) const
 {
     if (part < 0 || at(part) >= data_->parts.size())
         throw InvalidInput("part " + std::to_string(part) + " does not exist");
-    const auto is_here = [part](const PartRegion& fixed) { return fixed.part == part; };
+    const System& system = data_->system;
+    const int sheet = system.sheet_of(part);
+    const auto is_there = [&](const PartRegion& fixed)
+    { return system.sheet_of(fixed.part) == sheet; };
     const std::vector<PartRegion>& fixed = data_->assembly.fixed;
-    if (data_->joined)
-        return data_->is_solved(part) && !data_->joined->assembly.fixed.empty();
-    return !data_->parts[at(part)].problem.held.empty()
-           || std::any_of(fixed.begin(), fixed.end(), is_here);
+    return !system.sheets[at(sheet)].held.empty()
+           || std::any_of(fixed.begin(), fixed.end(), is_there);
 }
 
 const PropagationPlan& DeformationSession::plan() const
 {
-    return data_->plan;
+    return data_->system.plan;
 }
 
 const std::vector<Timing>& DeformationSession::timings() const

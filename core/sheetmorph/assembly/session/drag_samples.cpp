@@ -54,10 +54,18 @@ std::vector<Pose> sampled_poses(const PreparedAssembly& prepared,
     return poses;
 }
 
-// Whether links drive a part: then it learns from what earlier parts pass on.
-bool needs_waves(const PartProblem& problem)
+// Whether links drive a sheet: then it learns from what earlier sheets pass on.
+bool needs_waves(const Sheet& sheet)
 {
-    return !problem.propagated.empty();
+    return !sheet.propagated.empty();
+}
+
+// Whether the motion of an earlier sheet, as it is, drives one.
+bool is_led(const Sheet& sheet)
+{
+    return !sheet.carried.empty()
+           || std::any_of(sheet.leaders.begin(), sheet.leaders.end(),
+                          [](int leader) { return leader >= 0; });
 }
 
 }  // namespace
@@ -68,15 +76,13 @@ DragSamples::DragSamples(const PreparedAssembly& prepared, const std::set<std::s
       dragged_(dragged),
       start_(start),
       at_start_(prepared, start_, Exactness::live),
-      is_learnt_(prepared.parts.size(), 0)
+      is_learnt_(prepared.deformers.size(), 0)
 {
-    // Where nothing rigid joins parts, no part asks what another is at the start.
-    if (!prepared.welds.empty() || !prepared.pairs.empty())
+    const std::vector<Sheet>& sheets = prepared.system.sheets;
+    // Where nothing rigid joins sheets, no sheet asks what another is at the start.
+    if (std::any_of(sheets.begin(), sheets.end(), is_led))
         at_start_.run();
-    const bool any =
-        std::any_of(prepared.parts.begin(), prepared.parts.end(),
-                    [](const PreparedPart& part) { return needs_waves(part.problem); });
-    if (!passes || !any)
+    if (!passes || std::none_of(sheets.begin(), sheets.end(), needs_waves))
         return;
     poses_ = sampled_poses(prepared, dragged, start);
     for (const Pose& pose : poses_)
@@ -86,69 +92,78 @@ DragSamples::DragSamples(const PreparedAssembly& prepared, const std::set<std::s
     }
 }
 
-// Whether every part that drives this one is learnt, so that the waves have reached it.
-bool DragSamples::is_passed_on(int part) const
+// Whether every sheet that drives this one is learnt, so that the waves have reached it.
+bool DragSamples::is_passed_on(int sheet) const
 {
     if (waves_.empty())
         return false;
-    for (const PlannedLink& link : prepared_.planned)
+    const System& system = prepared_.system;
+    for (const PlannedLink& link : system.links)
         for (const LinkTarget& target : link.targets)
-            if (target.part == part && !is_learnt_[at(link.source_part)])
+            if (system.sheet_of(target.part) == sheet
+                && !is_learnt_[at(system.sheet_of(link.source_part))])
                 return false;
-    const std::vector<int>& carried = prepared_.parts[at(part)].problem.carried;
-    return std::all_of(carried.begin(), carried.end(),
-                       [&](int weld)
-                       { return is_learnt_[at(prepared_.welds[at(weld)].source_part)] != 0; });
+    const std::vector<int>& carried = system.sheets[at(sheet)].carried;
+    return std::all_of(
+        carried.begin(), carried.end(),
+        [&](int weld)
+        { return is_learnt_[at(system.sheet_of(system.welds[at(weld)].source_part))] != 0; });
 }
 
-// The part's own dragged handles and the welds that carry it, on their own.
-void DragSamples::add_own(int part, std::vector<surface::SurfaceTargets>& samples) const
+// The sheet's own dragged handles and the welds that carry it, on their own.
+void DragSamples::add_own(int sheet, std::vector<surface::SurfaceTargets>& samples) const
 {
-    const PartProblem& problem = prepared_.parts[at(part)].problem;
-    const surface::SurfaceTargets start = at_start_.targets_of(part);
+    const std::vector<int>& handles = prepared_.system.sheets[at(sheet)].handles;
+    const surface::SurfaceTargets start = at_start_.targets_of(sheet);
     std::vector<int> turning;
     for (std::size_t k = 0; k < start.handles.size(); ++k)
-        if (k >= problem.own.handles.size()
-            || dragged_.count(prepared_.assembly.handles[at(problem.own.handles[k])].name) != 0)
+        if (k >= handles.size()
+            || dragged_.count(prepared_.assembly.handles[at(handles[k])].name) != 0)
             turning.push_back(static_cast<int>(k));
-    const surface::SurfaceDeformer& deformer = *prepared_.parts[at(part)].deformer;
+    const surface::SurfaceDeformer& deformer = *prepared_.deformers[at(sheet)];
     for (surface::SurfaceTargets& pose :
          surface::own_poses(deformer.rest(), deformer.constraints(), start, turning))
         samples.push_back(std::move(pose));
 }
 
-VertexIds DragSamples::reads_of(int part) const
+// Thin solids among parts that share a sheet read all its rotations.
+surface::ResponseReaders DragSamples::readers_of(int sheet) const
 {
-    VertexIds reads;
-    for (std::size_t k = 0; k < prepared_.planned.size(); ++k)
-        if (prepared_.planned[k].source_part == part)
-            merge_into(reads, prepared_.links[k].link->reads());
-    if (const auto& thin = prepared_.parts[at(part)].thin)
-        merge_into(reads, thin->read_logs());
-    return reads;
+    surface::ResponseReaders readers;
+    const System& system = prepared_.system;
+    for (std::size_t k = 0; k < system.links.size(); ++k)
+        if (system.sheet_of(system.links[k].source_part) == sheet)
+            merge_into(readers.vertices, prepared_.links[k].link->reads());
+    const std::vector<int>& parts = system.sheets[at(sheet)].parts;
+    for (const int part : parts)
+        if (const auto& thin = prepared_.parts[at(part)].thin; thin && parts.size() > 1)
+            readers.all_logs = true;
+        else if (thin)
+            merge_into(readers.vertices, thin->read_logs());
+    return readers;
 }
 
-std::shared_ptr<const surface::Response> DragSamples::learn(int part, const Progress& progress)
+std::shared_ptr<const surface::Response> DragSamples::learn(int sheet, const Progress& progress)
 {
-    const PreparedPart& ready = prepared_.parts[at(part)];
-    if (!ready.deformer || !ready.deformer->can_respond())
+    const auto& deformer = prepared_.deformers[at(sheet)];
+    if (!deformer || !deformer->can_respond())
         return nullptr;
-    const bool passes = is_passed_on(part);
+    const bool passes = is_passed_on(sheet);
     std::vector<surface::SurfaceTargets> samples;
     if (passes)
         for (const Wave& wave : waves_)
-            samples.push_back(wave.targets_of(part));
-    if (ready.problem.propagated.empty())
-        add_own(part, samples);
+            samples.push_back(wave.targets_of(sheet));
+    if (!needs_waves(prepared_.system.sheets[at(sheet)]))
+        add_own(sheet, samples);
     if (samples.empty())
         return nullptr;
     std::shared_ptr<const surface::Response> response =
-        ready.deformer->response(samples, {reads_of(part), prepared_.carries_thin}, progress);
+        deformer->response(samples, readers_of(sheet), progress);
     if (!response->is_learnt())
         return nullptr;
     if (passes)
-        waves_.remove_if([&](Wave& wave) { return !wave.read(part, *response); });
-    is_learnt_[at(part)] = passes;
+        waves_.remove_if([&](Wave& wave) { return !wave.read(sheet, *response); });
+    is_learnt_[at(sheet)] = passes;
     return response;
 }
 

@@ -61,13 +61,13 @@ int vertices_of(const Assembly& assembly)
 
 }  // namespace
 
-//! Builds responses part by part on a thread of its own.
+//! Builds responses sheet by sheet on a thread of its own.
 class LiveDrag::Background
 {
 public:
     Background(const PreparedAssembly& prepared, std::set<std::string> dragged, const Pose& start,
                const DragOptions& options)
-        : prepared_(prepared), told_(options.progress), responses_(prepared.parts.size())
+        : prepared_(prepared), told_(options.progress), responses_(prepared.deformers.size())
     {
         const bool learns = vertices_of(prepared.assembly) >= options.least_to_learn;
         thread_ = std::thread([this, learns, dragged = std::move(dragged), start]
@@ -94,7 +94,7 @@ public:
         begun_.notify_all();
     }
 
-    PartResponses ready() const
+    Responses ready() const
     {
         const std::lock_guard<std::mutex> lock(mutex_);
         return responses_;
@@ -162,8 +162,8 @@ private:
     {
         progress.report(0.0, "learning");
         DragSamples samples(prepared_, dragged, start, passes);
-        for (const int part : prepared_.plan.order)
-            keep(part, samples.learn(part, progress));
+        for (const int sheet : prepared_.system.order)
+            keep(sheet, samples.learn(sheet, progress));
     }
 
     void wait_for_frame()
@@ -172,10 +172,10 @@ private:
         begun_.wait_for(lock, longest_wait, [this] { return is_begun_ || is_stopped_; });
     }
 
-    void keep(int part, std::shared_ptr<const surface::Response> built)
+    void keep(int sheet, std::shared_ptr<const surface::Response> built)
     {
         const std::lock_guard<std::mutex> lock(mutex_);
-        responses_[at(part)] = std::move(built);
+        responses_[at(sheet)] = std::move(built);
     }
 
     const PreparedAssembly& prepared_;
@@ -183,7 +183,7 @@ private:
     mutable std::mutex mutex_;
     std::condition_variable begun_;
     std::condition_variable finished_;
-    PartResponses responses_;
+    Responses responses_;
     std::exception_ptr failure_;
     bool is_begun_ = false;
     bool is_stopped_ = false;
@@ -194,8 +194,7 @@ private:
 LiveDrag::LiveDrag(std::shared_ptr<const PreparedAssembly> prepared, std::set<std::string> handles,
                    const Pose& start, const DragOptions& options)
     : prepared_(std::move(prepared)),
-      background_(
-          std::make_unique<Background>(prepared_->system(), std::move(handles), start, options))
+      background_(std::make_unique<Background>(*prepared_, std::move(handles), start, options))
 {
 }
 

@@ -51,7 +51,7 @@ private:
     std::unique_ptr<Background> background_;
     mutable std::mutex framing_;  // guards what follows
     std::vector<std::shared_ptr<Deformed>> frames_;
-    std::vector<surface::Deformation> read_;  // by part: what later parts read of a frame
+    std::vector<surface::Deformation> read_;  // by sheet: what later sheets read of a frame
     std::vector<char> answered_;
 };
 

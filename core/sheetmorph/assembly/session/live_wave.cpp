@@ -12,103 +12,94 @@ namespace sheetmorph::assembly
 namespace
 {
 
-// Parts are placed at the same time if they have this many vertices together. Chosen, not measured:
+// Sheets are placed at the same time if they have this many vertices together. Chosen, not measured:
 // estimated at 20 ns a vertex, 200 microseconds, several times as long as waking a thread.
 constexpr int many_vertices = 10000;
 
 }  // namespace
 
-std::vector<char> Wave::run_live(const PartResponses& responses,
+std::vector<char> Wave::run_live(const Responses& responses,
                                  std::vector<surface::Deformation>& read, Deformed& result)
 {
     start(result);
-    if (!prepared_.joined)
-        begin_reading(read);
-    std::vector<char> answered(result.parts.size(), 0);
-    if (prepared_.joined)
-    {
-        Deformed joined;
-        const std::vector<char> all =
-            Wave(*prepared_.joined, pose_, exactness_).run_live(responses, read, joined);
-        take(joined);
-        for (const int part : prepared_.plan.order)
-            answered[at(part)] = all.front();
-    }
-    else
-        for (const std::vector<int>& stage : prepared_.stages)
-            run_stage(stage, responses, answered);
-    for (const int part : prepared_.plan.unreached)
-        set_at_rest(part);
+    begin_reading(read);
+    std::vector<char> answered(system_.sheets.size(), 0);
+    for (const std::vector<int>& stage : system_.stages)
+        run_stage(stage, responses, answered);
+    set_others_at_rest();
     place_answers();
+    std::vector<char> parts;
     for (int part = 0; part < static_cast<int>(result.parts.size()); ++part)
     {
-        if (answered[at(part)])
+        parts.push_back(answered[at(system_.sheet_of(part))]);
+        if (parts.back())
             result.parts[at(part)].convergence = {};
         mark_preview(part);
         report_features(part);
     }
-    return answered;
+    return parts;
 }
 
-// All its parts at the same time, then all that they pass on.
-void Wave::run_stage(const std::vector<int>& parts, const PartResponses& responses,
+// All its sheets at the same time, then all that they pass on.
+void Wave::run_stage(const std::vector<int>& sheets, const Responses& responses,
                      std::vector<char>& answered)
 {
-    parallel_items(static_cast<Eigen::Index>(parts.size()),
+    parallel_items(static_cast<Eigen::Index>(sheets.size()),
                    [&](Eigen::Index k)
                    {
-                       const int part = parts[at(k)];
-                       answered[at(part)] = answer(part, responses[at(part)]);
+                       const int index = sheets[at(k)];
+                       answered[at(index)] = answer(index, responses[at(index)]);
                    });
     std::vector<std::size_t> links;
     for (std::size_t k = 0; k < links_.size(); ++k)
-        if (std::count(parts.begin(), parts.end(), prepared_.planned[k].source_part) > 0)
+        if (std::count(sheets.begin(), sheets.end(), system_.sheet_of(system_.links[k].source_part))
+            > 0)
             links.push_back(k);
     parallel_items(static_cast<Eigen::Index>(links.size()),
                    [&](Eigen::Index k) { pass_on_link(links[at(k)]); });
-    for (const int part : parts)
-        pass_on_motions(part);
+    for (const int index : sheets)
+        pass_on_motions(index);
 }
 
 void Wave::begin_reading(std::vector<surface::Deformation>& read)
 {
-    read.resize(prepared_.parts.size());
+    read.resize(system_.sheets.size());
     read_ = &read;
-    is_in_read_.assign(prepared_.parts.size(), 0);
+    is_in_read_.assign(system_.sheets.size(), 0);
 }
 
-bool Wave::read(int part, const surface::Response& response)
+bool Wave::read(int index, const surface::Response& response)
 {
-    const std::optional<surface::Response::Frame> frame = response.frame(targets_of(part));
+    const std::optional<surface::Response::Frame> frame = response.frame(targets_of(index));
     if (!frame)
         return false;
-    is_in_read_[at(part)] = 1;
-    response.place_reads(*frame, (*read_)[at(part)]);
-    pass_on(part);
+    is_in_read_[at(index)] = 1;
+    response.place_reads(*frame, (*read_)[at(index)]);
+    pass_on(index);
     return true;
 }
 
-// What later parts read at once, everything when all parts are; a thin solid hangs on the whole of
-// its middle, and later parts read sizes too.
-bool Wave::respond(int part, const std::shared_ptr<const surface::Response>& response)
+// What later sheets read at once, everything when all sheets are; a thin solid hangs on the whole
+// of its middle, parts that share a sheet on the whole of that, and later sheets read sizes too.
+bool Wave::respond(int index, const std::shared_ptr<const surface::Response>& response)
 {
-    const auto& thin = prepared_.parts[at(part)].thin;
-    if (thin && thin->has_points())
+    const ThinSolver* thin = thin_of(index);
+    if (thin != nullptr && thin->has_points())
         return false;
-    const surface::SurfaceTargets targets = targets_of(part);
+    const surface::SurfaceTargets targets = targets_of(index);
     auto frame =
         std::make_shared<std::optional<surface::Response::Frame>>(response->frame(targets));
     if (!*frame)
         return false;
-    if (thin || (*frame)->has_sizes())
+    if (thin != nullptr || is_shared(index) || (*frame)->has_sizes())
     {
-        response->place(**frame, solved(part));
-        expand(part, targets);
+        response->place(**frame, solved(index));
+        hand_out(index, targets);
         return true;
     }
-    is_in_read_[at(part)] = 1;
-    response->place_reads(**frame, (*read_)[at(part)]);
-    answers_[at(part)] = [response, frame](surface::Deformation& shape)
+    is_in_read_[at(index)] = 1;
+    response->place_reads(**frame, (*read_)[at(index)]);
+    answers_[at(index)] = [response, frame](surface::Deformation& shape)
     { response->place(**frame, shape); };
     return true;
 }
@@ -116,19 +107,19 @@ bool Wave::respond(int part, const std::shared_ptr<const surface::Response>& res
 void Wave::place_answers() const
 {
     int vertices = 0;
-    std::vector<std::size_t> parts;
-    for (std::size_t part = 0; part < answers_.size(); ++part)
-        if (answers_[part])
+    std::vector<int> placed;
+    for (std::size_t index = 0; index < answers_.size(); ++index)
+        if (answers_[index])
         {
-            vertices += prepared_.assembly.parts[part].mesh.vertex_count();
-            parts.push_back(part);
+            vertices += system_.sheets[index].mesh.vertex_count();
+            placed.push_back(static_cast<int>(index));
         }
     const auto place = [&](Eigen::Index begin, Eigen::Index end)
     {
         for (Eigen::Index k = begin; k < end; ++k)
-            answers_[parts[at(k)]](result_->parts[parts[at(k)]]);
+            answers_[at(placed[at(k)])](solved(placed[at(k)]));
     };
-    const auto count = static_cast<Eigen::Index>(parts.size());
+    const auto count = static_cast<Eigen::Index>(placed.size());
     parallel_ranges(count, vertices < many_vertices ? count : 1, place);
 }
 

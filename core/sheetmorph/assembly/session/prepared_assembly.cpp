@@ -4,9 +4,7 @@
 #include "sheetmorph/assembly/assembly_checks.h"
 #include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/assembly/links/control_box.h"
-#include "sheetmorph/assembly/links/patch_anchors.h"
-#include "sheetmorph/assembly/plan/link_blending.h"
-#include "sheetmorph/assembly/plan/loose_pieces.h"
+#include "sheetmorph/assembly/plan/pose_checks.h"
 #include "sheetmorph/assembly/session/reuse.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
@@ -22,22 +20,6 @@ namespace sheetmorph::assembly
 
 namespace
 {
-
-Points target_points(const Assembly& assembly, const PlannedLink& link)
-{
-    Eigen::Index count = 0;
-    for (const LinkTarget& target : link.targets)
-        count += static_cast<Eigen::Index>(target.vertices.size());
-    Points points(count, 3);
-    Eigen::Index row = 0;
-    for (const LinkTarget& target : link.targets)
-    {
-        const Points rows = rows_of(assembly.parts[at(target.part)].mesh.points(), target.vertices);
-        points.middleRows(row, rows.rows()) = rows;
-        row += rows.rows();
-    }
-    return points;
-}
 
 PreparedLink described_link(const Assembly& assembly, const PlannedLink& planned,
                             const ControlBoxes& boxes)
@@ -79,38 +61,28 @@ std::shared_ptr<const MotionLink> built_link(const mesh::PartGeometry& source,
     }
 }
 
-//! A part's deformer, and that of an earlier session if there is one.
-struct DeformerInput
+std::shared_ptr<const surface::SurfaceDeformer> built_deformer(
+    const Sheet& sheet, const surface::SurfaceDeformer* earlier, const Progress& progress)
 {
-    const Part& part;
-    const surface::SurfaceConstraints& constraints;
-    std::shared_ptr<const surface::SurfaceDeformer> earlier;
-};
-
-std::shared_ptr<const surface::SurfaceDeformer> built_deformer(const DeformerInput& input,
-                                                               const Progress& progress)
-{
-    const Part& part = input.part;
     try
     {
-        return std::make_shared<const surface::SurfaceDeformer>(part.mesh, input.constraints,
-                                                                progress, input.earlier.get());
+        return std::make_shared<const surface::SurfaceDeformer>(sheet.mesh, sheet.surface, progress,
+                                                                earlier);
     }
     catch (const InvalidInput& fault)
     {
-        throw in_part(fault, part);
+        throw in_sheet(fault, sheet);
     }
     catch (const SolverError& fault)
     {
-        throw on_part(fault, part);
+        throw on_sheet(fault, sheet);
     }
 }
 
-std::vector<FeatureEdges> own_feature_edges(const Assembly& whole, int part,
-                                            const PartProblem& problem)
+std::vector<FeatureEdges> feature_edges(const Assembly& whole, int part, const Owner& owner)
 {
     std::vector<VertexIds> features;
-    for (const int feature : problem.own.features)
+    for (const int feature : owner.features)
         features.push_back(whole.features[at(feature)].vertices);
     return edges_of_features(whole.parts[at(part)].mesh, features);
 }
@@ -138,130 +110,21 @@ Geometries geometries_of(const Assembly& assembly)
     return geometries;
 }
 
-// What touches by its wall is a row of vertices in the middle of the sheet, and a tie holds on to
-// triangles.
-void widen_thin_sources(PreparedAssembly& prepared, const Geometries& geometries)
-{
-    for (PlannedLink& link : prepared.planned)
-        if (link.type == ContactType::tied && prepared.thin[at(link.source_part)])
-            link.source = with_triangles_below(geometries[at(link.source_part)], link.source,
-                                               target_points(prepared.assembly, link));
-}
-
-bool is_whole(const Assembly& assembly)
-{
-    return assembly.propagation.type == PropagationType::whole;
-}
-
-// What touches a thin solid by its wall, or a row of vertices that a seam is, touches triangles
-// that the side has not whole.
-bool is_wide(const PreparedAssembly& prepared, const PartRegion& source,
-             const mesh::PartGeometry& geometry)
-{
-    return prepared.thin[at(source.part)] != nullptr
-           || (is_whole(prepared.assembly) && !has_triangles(geometry, source.vertices));
-}
-
 // What is told of poses: how contacts fare, and where handles meet fixed regions.
 void add_gauges(PreparedAssembly& prepared)
 {
-    for (const DirectedContact& contact : prepared.plan.measured)
+    for (const DirectedContact& contact : prepared.system.plan.measured)
         prepared.gauges.emplace_back(prepared.whole(), contact);
     prepared.overlaps = overlaps_of(prepared.whole());
 }
 
-// By measured contact that is not rigid: where its sides lie on each other.
-std::vector<SeamPlaces> seam_places(const PreparedAssembly& prepared, const Geometries& geometries)
+System system_of(const PreparedAssembly& prepared, const Geometries& geometries,
+                 const ControlBoxes& boxes)
 {
-    const Assembly& given = prepared.assembly;
-    const auto on = [&](const PartRegion& below, const PartRegion& region)
-    {
-        const mesh::PartGeometry& geometry = geometries[at(below.part)];
-        const Points points = rows_of(given.parts[at(region.part)].mesh.points(), region.vertices);
-        return nearest_anchors(geometry,
-                               is_wide(prepared, below, geometry)
-                                   ? with_triangles_below(geometry, below.vertices, points)
-                                   : below.vertices,
-                               points);
-    };
-    std::vector<SeamPlaces> places;
-    for (const DirectedContact& contact : prepared.plan.measured)
-    {
-        const PartRegion &source = contact.source(given), &target = contact.target(given);
-        const bool is_rigid = given.contacts[at(contact.contact)].type == ContactType::rigid;
-        places.push_back(is_rigid ? SeamPlaces{}
-                                  : SeamPlaces{on(source, target), on(target, source)});
-    }
-    return places;
-}
-
-// A point of a thin solid lies off the middle: it is met in rounds, part by part.
-void refuse_thin_points(const PreparedAssembly& prepared)
-{
-    for (const PartPoint& point : prepared.assembly.points)
-        if (prepared.thin[at(point.part)])
-            throw in_part({label_of("point", point)
-                               + " lies on a thin solid, which the propagation 'whole' does not "
-                                 "support",
-                           "use a handle of vertices, or \"thin\": false"},
-                          prepared.assembly.parts[at(point.part)]);
-}
-
-// All parts as one, taking over from `previous` what fits.
-void join(PreparedAssembly& prepared, const Geometries& geometries, const Progress& progress,
-          const PreparedAssembly* previous)
-{
-    refuse_thin_points(prepared);
-    prepared.places = joined_parts(prepared.assembly, prepared.plan, prepared.welds,
-                                   seam_places(prepared, geometries));
-    Assembly one = std::move(prepared.places.assembly);
-    auto joined = std::make_shared<PreparedAssembly>(prepare_assembly(
-        std::move(one), progress, previous != nullptr ? previous->joined.get() : nullptr));
-    joined->carries_thin = prepared.with_thin_parts.has_value();
-    prepared.joined = std::move(joined);
-    prepared.timings.insert(prepared.timings.end(), prepared.joined->timings.begin(),
-                            prepared.joined->timings.end());
-}
-
-// A stage after the last that moves it.
-void add_stages(PreparedAssembly& prepared)
-{
-    std::vector<std::size_t> stage(prepared.parts.size(), 0);
-    for (const int part : prepared.plan.order)
-    {
-        const PartProblem& problem = prepared.parts[at(part)].problem;
-        const auto follow = [&](int earlier)
-        { stage[at(part)] = std::max(stage[at(part)], stage[at(earlier)] + 1); };
-        for (const PlannedLink& link : prepared.planned)
-            for (const LinkTarget& target : link.targets)
-                if (target.part == part)
-                    follow(link.source_part);
-        for (const int weld : problem.carried)
-            follow(prepared.welds[at(weld)].source_part);
-        for (const int leader : problem.own.leaders)
-            if (leader >= 0)
-                follow(prepared.assembly.features[at(leader)].part);
-        prepared.stages.resize(std::max(prepared.stages.size(), stage[at(part)] + 1));
-        prepared.stages[stage[at(part)]].push_back(part);
-    }
-}
-
-void add_problems(PreparedAssembly& prepared)
-{
-    const Assembly& given = prepared.assembly;
-    const Passages passages{prepared.planned, prepared.welds, prepared.pairs};
-    for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
-    {
-        const bool is_alone = !is_whole(given);
-        prepared.parts.push_back({is_alone ? problem_of_part(given, part, passages)
-                                           : problem_in_whole(given, part, prepared.welds),
-                                  {},
-                                  nullptr,
-                                  nullptr});
-        if (is_alone)
-            hold_loose_pieces(given.parts[at(part)], given.unheld, prepared.parts.back().problem);
-    }
-    add_stages(prepared);
+    std::vector<char> is_thin;
+    for (const auto& thin : prepared.thin)
+        is_thin.push_back(thin != nullptr);
+    return plan_system({prepared.assembly, is_thin, geometries, boxes});
 }
 
 //! Collects what has to be built, and times it.
@@ -272,37 +135,43 @@ public:
                 const PreparedAssembly* previous)
         : prepared_(prepared), geometries_(geometries), previous_(previous)
     {
-        prepared_.timings.reserve(prepared.parts.size() + prepared.links.size());
+        prepared_.timings.reserve(prepared.deformers.size() + prepared.links.size());
     }
 
     void add_part(int index)
     {
         PreparedPart& part = prepared_.parts[at(index)];
-        const Part& of = prepared_.assembly.parts[at(index)];
-        part.edges = own_feature_edges(prepared_.whole(), index, part.problem);
+        part.edges = feature_edges(prepared_.whole(), index, prepared_.system.owners[at(index)]);
         if (const auto& thin = prepared_.thin[at(index)])
             part.thin = std::make_shared<const ThinSolver>(
-                ThinSolverInput{thin, prepared_.whole(), part.problem, prepared_.welds, index});
-        if (!part.problem.is_driven() || is_whole(prepared_.assembly))
+                ThinSolverInput{thin, prepared_.whole(), prepared_.system, index});
+    }
+
+    void add_sheet(std::size_t index)
+    {
+        const Sheet& sheet = prepared_.system.sheets[index];
+        auto& deformer = prepared_.deformers[index];
+        if (!sheet.is_driven())
             return;
-        const DeformerInput input{of, part.problem.own.surface, earlier_deformer(previous_, of)};
-        if (input.earlier && is_deformer_of(*input.earlier, of.mesh, input.constraints))
-            part.deformer = input.earlier;
+        const auto earlier = earlier_deformer(previous_, sheet);
+        if (earlier && is_deformer_of(*earlier, sheet.mesh, sheet.surface))
+            deformer = earlier;
         else
-            add("part " + of.name, of.mesh.vertex_count(),
-                [&part, input](const Progress& progress)
-                { part.deformer = built_deformer(input, progress); });
+            add("part " + sheet.name, sheet.mesh.vertex_count(),
+                [&deformer, &sheet, earlier](const Progress& progress)
+                { deformer = built_deformer(sheet, earlier.get(), progress); });
     }
 
     void add_link(std::size_t index)
     {
         PreparedLink& link = prepared_.links[index];
-        const std::size_t part = at(prepared_.planned[index].source_part);
+        const std::size_t part = at(prepared_.system.links[index].source_part);
         const mesh::PartGeometry& source = geometries_[part];
         link.link = reusable_link(previous_, prepared_.assembly.parts[part], link);
         if (!link.link)
-            add("contact " + prepared_.planned[index].name, effort(link),
-                [&link, &source, label = link_label(prepared_.assembly, prepared_.planned[index])](
+            add("contact " + prepared_.system.links[index].name, effort(link),
+                [&link, &source,
+                 label = link_label(prepared_.assembly, prepared_.system.links[index])](
                     const Progress&) { link.link = built_link(source, link, label); });
     }
 
@@ -368,29 +237,22 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
     reduce(prepared, previous);
     prepared.shapes = shapes_of_sized(prepared.whole());
     const Assembly& given = prepared.assembly;
-    prepared.plan = plan_propagation(given);
-    if (is_whole(given))
-        lead_by_coarser(given, prepared.plan);
     const ControlBoxes boxes(given);
-    prepared.planned = plan_links(given, prepared.plan, boxes);
     const Geometries geometries = geometries_of(given);
-    widen_thin_sources(prepared, geometries);
-    blend_neighbours(given, prepared.planned);
-    prepared.welds = plan_welds(given, prepared.plan);
-    if (!is_whole(given))
-        prepared.pairs = plan_pairs(given, prepared.plan);
+    prepared.system = system_of(prepared, geometries, boxes);
     add_gauges(prepared);
-    for (const PlannedLink& planned : prepared.planned)
+    for (const PlannedLink& planned : prepared.system.links)
         prepared.links.push_back(described_link(given, planned, boxes));
-    add_problems(prepared);
+    prepared.parts.resize(given.parts.size());
+    prepared.deformers.resize(prepared.system.sheets.size());
     Preparation preparation(prepared, geometries, previous);
     for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
         preparation.add_part(part);
+    for (std::size_t sheet = 0; sheet < prepared.deformers.size(); ++sheet)
+        preparation.add_sheet(sheet);
     for (std::size_t link = 0; link < prepared.links.size(); ++link)
         preparation.add_link(link);
     preparation.run(progress);
-    if (is_whole(given))
-        join(prepared, geometries, progress, previous);
     progress.report(1.0, "ready");
     return prepared;
 }

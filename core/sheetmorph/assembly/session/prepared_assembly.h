@@ -3,12 +3,10 @@
 
 #include "sheetmorph/assembly/plan/feature_sizes.h"
 #include "sheetmorph/assembly/plan/overlaps.h"
-#include "sheetmorph/assembly/plan/part_problem.h"
 #include "sheetmorph/assembly/session/deformation_session.h"
 #include "sheetmorph/assembly/session/feature_error.h"
 #include "sheetmorph/assembly/symmetry/symmetry_plan.h"
 #include "sheetmorph/assembly/thin/thin_solver.h"
-#include "sheetmorph/assembly/whole/joined_parts.h"
 
 #include <set>
 
@@ -25,12 +23,10 @@ struct PreparedLink
     std::shared_ptr<const MotionLink> link;
 };
 
-//! One part, ready to be solved; no deformer if nothing moves it, or if it is solved with others.
+//! One part, ready to be told of a pose.
 struct PreparedPart
 {
-    PartProblem problem;
-    std::vector<FeatureEdges> edges;
-    std::shared_ptr<const surface::SurfaceDeformer> deformer;
+    std::vector<FeatureEdges> edges;         //!< by feature of the part
     std::shared_ptr<const ThinSolver> thin;  //!< from its middle to the whole of a thin solid
 };
 
@@ -43,32 +39,16 @@ struct PreparedAssembly
     ThinParts thin;
     std::optional<SymmetryPlan> symmetry;
     std::vector<std::optional<forms::FeatureShape>> shapes;  //!< by feature, of sized ones
-    PropagationPlan plan;
-    std::vector<PlannedLink> planned;
-    std::vector<RigidWeld> welds;
-    std::vector<PlannedPair> pairs;
-    std::vector<PreparedLink> links;  //!< as planned
+    System system;
+    std::vector<PreparedLink> links;  //!< as system.links
     std::vector<PreparedPart> parts;
-    std::vector<std::vector<int>> stages;  //!< the plan's order; none of a stage moves another
-    std::vector<ContactGauge> gauges;      //!< as plan.measured
-    std::vector<Overlap> overlaps;         //!< of whole()
+
+    //! By sheet of the system; nothing if no pose moves it.
+    std::vector<std::shared_ptr<const surface::SurfaceDeformer>> deformers;
+
+    std::vector<ContactGauge> gauges;  //!< as system.plan.measured
+    std::vector<Overlap> overlaps;     //!< of whole()
     std::vector<Timing> timings;
-
-    //! Where all parts are solved at once: the one part that they are, and what is whose there.
-    std::shared_ptr<const PreparedAssembly> joined;
-    JoinedParts places = {};  //!< its assembly is moved to `joined`
-
-    bool carries_thin = false;  //!< parts joined in it are thin solids, which read all rotations
-
-    //! What is solved.
-    const PreparedAssembly& system() const { return joined ? *joined : *this; }
-
-    //! Whether a part is solved, alone or with the others.
-    bool is_solved(int part) const
-    {
-        const auto index = static_cast<std::size_t>(part);
-        return joined ? places.first[index] >= 0 : parts[index].deformer != nullptr;
-    }
 
     //! Every part with all its vertices.
     const Assembly& whole() const { return with_thin_parts ? *with_thin_parts : assembly; }

@@ -91,11 +91,11 @@ bool same_box(const volume::OrientedBox& a, const volume::OrientedBox& b)
 }  // namespace
 
 std::shared_ptr<const surface::SurfaceDeformer> earlier_deformer(const PreparedAssembly* previous,
-                                                                 const Part& part)
+                                                                 const Sheet& sheet)
 {
-    for (std::size_t k = 0; previous != nullptr && k < previous->parts.size(); ++k)
-        if (previous->assembly.parts[k].name == part.name)
-            return previous->parts[k].deformer;
+    for (std::size_t k = 0; previous != nullptr && k < previous->deformers.size(); ++k)
+        if (previous->system.sheets[k].name == sheet.name)
+            return previous->deformers[k];
     return nullptr;
 }
 
@@ -114,7 +114,8 @@ std::shared_ptr<const MotionLink> reusable_link(const PreparedAssembly* previous
     {
         const PreparedLink& old = previous->links[k];
         const Part& old_source =
-            previous->assembly.parts[static_cast<std::size_t>(previous->planned[k].source_part)];
+            previous->assembly
+                .parts[static_cast<std::size_t>(previous->system.links[k].source_part)];
         if (old.type == wanted.type && old.source == wanted.source
             && same(old.targets, wanted.targets) && same_box(old.options.box, wanted.options.box)
             && old.options.levels == wanted.options.levels

@@ -6,9 +6,9 @@
 namespace sheetmorph::assembly
 {
 
-//! The deformer of the part of the same name in an earlier session, or nothing.
+//! The deformer of the sheet of the same name in an earlier session, or nothing.
 std::shared_ptr<const surface::SurfaceDeformer> earlier_deformer(const PreparedAssembly* previous,
-                                                                 const Part& part);
+                                                                 const Sheet& sheet);
 
 //! Whether a deformer is that of a mesh under some constraints.
 bool is_deformer_of(const surface::SurfaceDeformer& deformer, const mesh::TriangleMesh& mesh,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/session/wave.h"
 
-#include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/assembly/links/control_box.h"
+#include "sheetmorph/assembly/system/sheet_targets.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 
@@ -14,13 +14,14 @@ namespace sheetmorph::assembly
 Wave::Wave(const PreparedAssembly& prepared, const Pose& pose, Exactness exactness,
            Progress progress)
     : prepared_(prepared),
+      system_(prepared.system),
       pose_(pose),
       exactness_(exactness),
       progress_(std::move(progress)),
       links_(prepared.links.size()),
-      welds_(prepared.welds.size()),
+      welds_(system_.welds.size()),
       motions_(prepared.assembly.features.size()),
-      answers_(prepared.parts.size())
+      answers_(system_.sheets.size())
 {
 }
 
@@ -38,12 +39,9 @@ Deformed Wave::run()
 {
     Deformed result;
     start(result);
-    if (prepared_.joined)
-        take(Wave(*prepared_.joined, pose_, exactness_, progress_).run());
-    else
-        answer_in_order();
-    for (const int part : prepared_.plan.unreached)
-        set_at_rest(part);
+    begin_reading(own_read_);
+    answer_in_order();
+    set_others_at_rest();
     for (int part = 0; part < static_cast<int>(result.parts.size()); ++part)
     {
         mark_preview(part);
@@ -57,88 +55,112 @@ Deformed Wave::run()
 void Wave::answer_in_order()
 {
     const Progress whole = progress_;
-    const auto count = static_cast<double>(prepared_.plan.order.size());
-    for (std::size_t k = 0; k < prepared_.plan.order.size(); ++k)
+    const auto count = static_cast<double>(system_.order.size());
+    for (std::size_t k = 0; k < system_.order.size(); ++k)
     {
         const auto done = static_cast<double>(k);
         progress_ = whole.part(done / count, (done + 1.0) / count);
-        answer(prepared_.plan.order[k], nullptr);
-        pass_on(prepared_.plan.order[k]);
+        answer(system_.order[k], nullptr);
+        pass_on(system_.order[k]);
     }
 }
 
-// Every part's own of what was solved at once.
-void Wave::take(const Deformed& joined)
+const Sheet& Wave::sheet(int index) const
 {
-    const surface::Deformation& all = joined.parts.front();
-    const JoinedParts& places = prepared_.places;
-    for (const int part : prepared_.plan.order)
-    {
-        const PartProblem& problem = prepared_.parts[at(part)].problem;
-        const int first = places.first[at(part)];
-        const int count = prepared_.assembly.parts[at(part)].mesh.vertex_count();
-        surface::Deformation& shape = solved(part);
-        shape.positions = all.positions.middleRows(first, count);
-        shape.rotation_logs = all.rotation_logs.rows() == 0
-                                  ? Points(0, 3)
-                                  : Points(all.rotation_logs.middleRows(first, count));
-        shape.convergence = all.convergence;
-        shape.features.clear();
-        for (const int feature : problem.own.features)
-            shape.features.push_back(joined.features[at(places.features[at(feature)])].motion);
-        for (const int weld : problem.carriers)
-            shape.features.push_back(joined.features[at(places.welds + weld)].motion);
-        expand(part, targets_of(part));
-        result_->parts[at(part)].is_preview = all.is_preview;
-    }
+    return system_.sheets[at(index)];
 }
 
-// What the deformer of a part makes: the middle of a thin solid, the whole of any other part.
-surface::Deformation& Wave::solved(int part) const
+bool Wave::is_shared(int index) const
+{
+    return sheet(index).parts.size() > 1;
+}
+
+const ThinSolver* Wave::thin_of(int index) const
+{
+    return is_shared(index) ? nullptr : prepared_.parts[at(sheet(index).parts.front())].thin.get();
+}
+
+// What the deformer of a sheet makes: the result of a part, unless several share the sheet.
+surface::Deformation& Wave::solved(int index) const
+{
+    return is_shared(index) ? (*read_)[at(index)] : solved_part(sheet(index).parts.front());
+}
+
+// What is solved of a part: the middle of a thin solid, the whole of any other part.
+surface::Deformation& Wave::solved_part(int part) const
 {
     const bool is_thin = prepared_.parts[at(part)].thin != nullptr;
     return is_thin ? result_->middles[at(part)] : result_->parts[at(part)];
 }
 
-// The whole of a thin solid follows its middle.
-void Wave::expand(int part, const surface::SurfaceTargets& targets) const
+// To the parts what is theirs of a sheet; the whole of a thin solid follows its middle.
+void Wave::hand_out(int index, const surface::SurfaceTargets& targets) const
 {
-    if (const auto& thin = prepared_.parts[at(part)].thin)
-        thin->expand(result_->middles[at(part)], targets, exactness_, result_->parts[at(part)]);
+    for (const int part : sheet(index).parts)
+    {
+        const Owner& owner = system_.owners[at(part)];
+        surface::Deformation& shape = solved_part(part);
+        if (is_shared(index))
+        {
+            const surface::Deformation& all = solved(index);
+            shape.positions = all.positions.middleRows(owner.first, owner.count);
+            const bool has_logs = all.rotation_logs.rows() > 0;
+            shape.rotation_logs = all.rotation_logs.middleRows(has_logs ? owner.first : 0,
+                                                               has_logs ? owner.count : 0);
+            shape.convergence = all.convergence;
+            shape.features.clear();
+            for (const int body : owner.bodies)
+                shape.features.push_back(all.features[at(body)]);
+        }
+        const auto& thin = prepared_.parts[at(part)].thin;
+        if (!thin)
+            continue;
+        surface::SurfaceTargets own;
+        for (const int handle : owner.handles)
+            own.handles.push_back(targets.handles[at(handle)]);
+        for (const int body : owner.bodies)
+            own.sizes.push_back(targets.sizes[at(body)]);
+        thin->expand(shape, own, exactness_, result_->parts[at(part)]);
+    }
+}
+
+void Wave::set_others_at_rest() const
+{
+    for (int index = 0; index < static_cast<int>(system_.sheets.size()); ++index)
+        if (system_.plan.level[at(sheet(index).parts.front())] < 0)
+            set_at_rest(index);
 }
 
 // Left alone if an earlier frame has put it there.
-void Wave::set_at_rest(int part) const
+void Wave::set_at_rest(int index) const
 {
-    surface::Deformation& shape = solved(part);
-    const mesh::TriangleMesh& mesh = prepared_.assembly.parts[at(part)].mesh;
-    if (shape.positions.rows() == mesh.vertex_count())
+    const Sheet& resting = sheet(index);
+    surface::Deformation& shape = solved(index);
+    if (!is_shared(index) && shape.positions.rows() == resting.mesh.vertex_count())
         return;
-    shape = {mesh.points(), Points::Zero(mesh.vertex_count(), 3), {}};
-    for (const surface::FormFeature& feature :
-         prepared_.parts[at(part)].problem.own.surface.features)
+    shape = {resting.mesh.points(), Points::Zero(resting.mesh.vertex_count(), 3), {}};
+    for (const surface::FormFeature& feature : resting.surface.features)
     {
         RigidMotion none;
-        none.pivot = rows_of(mesh.points(), feature.vertices).colwise().mean().transpose();
+        none.pivot = rows_of(resting.mesh.points(), feature.vertices).colwise().mean().transpose();
         shape.features.push_back(none);
     }
     surface::SurfaceTargets none;
-    none.handles.resize(prepared_.parts[at(part)].problem.own.surface.handles.size());
-    expand(part, none);
+    none.handles.resize(resting.surface.handles.size());
+    none.sizes.resize(resting.surface.features.size());
+    hand_out(index, none);
 }
 
-surface::SurfaceTargets Wave::targets_of(int part) const
+surface::SurfaceTargets Wave::targets_of(int index) const
 {
-    return targets_in_order(prepared_.assembly, prepared_.parts[at(part)].problem, pose_,
-                            {links_, welds_, motions_});
+    return targets_of_sheet(prepared_.assembly, sheet(index), pose_, {links_, welds_, motions_});
 }
 
-// The one place that chooses how a part is answered (resources/docs/answers.md).
+// The one place that chooses how a sheet is answered (resources/docs/answers.md).
 // \returns whether its response was taken
 bool Wave::answer(int index, const std::shared_ptr<const surface::Response>& response)
 {
-    const PreparedPart& part = prepared_.parts[at(index)];
-    if (!part.deformer)
+    if (!prepared_.deformers[at(index)])
     {
         set_at_rest(index);
         return false;
@@ -152,58 +174,58 @@ bool Wave::answer(int index, const std::shared_ptr<const surface::Response>& res
     }
     catch (const InvalidInput& fault)
     {
-        throw in_part(fault, prepared_.assembly.parts[at(index)]);
+        throw in_sheet(fault, sheet(index));
     }
 }
 
 void Wave::substitute(int index)
 {
-    const PreparedPart& part = prepared_.parts[at(index)];
     if (exactness_ == Exactness::exact)
         result_->spread =
-            std::max(result_->spread, spread_of_targets(part.problem, {links_, welds_, motions_}));
+            std::max(result_->spread, spread_of_targets(sheet(index), {links_, welds_, motions_}));
     const surface::SurfaceTargets targets = targets_of(index);
-    solved(index) = part.thin ? part.thin->solve(*part.deformer, targets, exactness_, progress_)
-                              : part.deformer->deform(targets, exactness_, progress_);
-    expand(index, targets);
+    const surface::SurfaceDeformer& deformer = *prepared_.deformers[at(index)];
+    const ThinSolver* thin = thin_of(index);
+    solved(index) = thin != nullptr ? thin->solve(deformer, targets, exactness_, progress_)
+                                    : deformer.deform(targets, exactness_, progress_);
+    hand_out(index, targets);
 }
 
-const surface::Deformation& Wave::read_of(int part) const
+const surface::Deformation& Wave::read_of(int index) const
 {
-    const bool is_in_read = !is_in_read_.empty() && is_in_read_[at(part)];
-    return is_in_read ? (*read_)[at(part)] : solved(part);
+    return is_in_read_[at(index)] ? (*read_)[at(index)] : solved(index);
 }
 
-// What later parts need of this one.
+// What later sheets need of this one.
 void Wave::pass_on(int index)
 {
     for (std::size_t k = 0; k < links_.size(); ++k)
-        if (prepared_.planned[k].source_part == index)
+        if (system_.sheet_of(system_.links[k].source_part) == index)
             pass_on_link(k);
     pass_on_motions(index);
 }
 
 void Wave::pass_on_link(std::size_t link)
 {
-    const surface::Deformation& source = read_of(prepared_.planned[link].source_part);
+    const surface::Deformation& source = read_of(system_.sheet_of(system_.links[link].source_part));
     links_[link] = prepared_.links[link].link->transfer(source, exactness_);
 }
 
 void Wave::pass_on_motions(int index)
 {
     const surface::Deformation& shape = read_of(index);
-    const PartProblem& problem = prepared_.parts[at(index)].problem;
-    for (std::size_t k = 0; k < problem.carriers.size(); ++k)
-        welds_[at(problem.carriers[k])] = shape.features[problem.own.features.size() + k];
-    for (std::size_t k = 0; k < problem.own.features.size(); ++k)
-        motions_[at(problem.own.features[k])] = shape.features[k];
+    const Sheet& passing = sheet(index);
+    for (std::size_t k = 0; k < passing.carriers.size(); ++k)
+        welds_[at(passing.carriers[k])] = shape.features[passing.features.size() + k];
+    for (std::size_t k = 0; k < passing.features.size(); ++k)
+        motions_[at(passing.features[k])] = shape.features[k];
 }
 
 // The part at rest with the sizes of the pose.
 Points Wave::sized_rest(int index) const
 {
     Points rest = prepared_.whole().parts[at(index)].mesh.points();
-    for (const int feature : prepared_.parts[at(index)].problem.own.features)
+    for (const int feature : system_.owners[at(index)].features)
         if (const std::optional<SizedForm> form = sized_form(feature))
             for (Eigen::Index k = 0; k < form->rest.rows(); ++k)
                 rest.row(
@@ -227,7 +249,7 @@ std::optional<SizedForm> Wave::sized_form(int index) const
 void Wave::report_feature(int part, std::size_t own, const Points& rest)
 {
     const surface::Deformation& shape = result_->parts[at(part)];
-    const int global = prepared_.parts[at(part)].problem.own.features[own];
+    const int global = system_.owners[at(part)].features[own];
     const PartFeature& feature = prepared_.whole().features[at(global)];
     FeatureResult& result = result_->features[at(global)];
     result = {};
@@ -246,29 +268,28 @@ void Wave::report_feature(int part, std::size_t own, const Points& rest)
 }
 
 // What is shown live of a part whose exact answer is refined besides.
-void Wave::mark_preview(int index)
+void Wave::mark_preview(int part)
 {
-    if (prepared_.joined)
-        return;
-    const PreparedPart& part = prepared_.parts[at(index)];
-    result_->parts[at(index)].is_preview =
-        exactness_ == Exactness::live && part.deformer && part.problem.own.surface.has_previews();
+    const int index = system_.sheet_of(part);
+    result_->parts[at(part)].is_preview = exactness_ == Exactness::live
+                                          && prepared_.deformers[at(index)]
+                                          && sheet(index).surface.has_previews();
 }
 
-void Wave::report_features(int index)
+void Wave::report_features(int part)
 {
-    const PreparedPart& part = prepared_.parts[at(index)];
-    const bool is_measured = exactness_ == Exactness::exact && prepared_.is_solved(index);
-    const Points rest = is_measured ? sized_rest(index) : Points();
-    for (std::size_t f = 0; f < part.problem.own.features.size(); ++f)
-        report_feature(index, f, rest);
+    const Owner& owner = system_.owners[at(part)];
+    const bool is_measured = exactness_ == Exactness::exact && prepared_.deformers[at(owner.sheet)];
+    const Points rest = is_measured ? sized_rest(part) : Points();
+    for (std::size_t f = 0; f < owner.features.size(); ++f)
+        report_feature(part, f, rest);
 }
 
 void Wave::report_contacts()
 {
     for (std::size_t k = 0; k < prepared_.gauges.size(); ++k)
     {
-        const DirectedContact& contact = prepared_.plan.measured[k];
+        const DirectedContact& contact = system_.plan.measured[k];
         const int source = contact.source(prepared_.whole()).part;
         const int target = contact.target(prepared_.whole()).part;
         result_->contacts.push_back(prepared_.gauges[k].measure(

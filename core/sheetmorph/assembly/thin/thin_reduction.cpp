@@ -261,7 +261,7 @@ Assembly with_lumps(Assembly assembly, const ThinParts& thin)
             lump.name =
                 unused_name(assembly, assembly.parts[part].name + " lump " + std::to_string(k + 1));
             lump.part = static_cast<int>(part);
-            lump.of = subjects_of("part", assembly.parts[part]);
+            lump.of = {{"part", assembly.parts[part].name}};
             lump.vertices = thin[part]->solid().lumps[k];
             assembly.features.push_back(lump);
         }

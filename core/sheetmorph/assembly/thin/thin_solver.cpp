@@ -55,23 +55,6 @@ Vector3 centre_of(const mesh::TriangleMesh& mesh, VertexIds vertices)
     return rows_of(mesh.points(), vertices).colwise().mean().transpose();
 }
 
-std::vector<const VertexIds*> pointers(const std::vector<VertexIds>& regions)
-{
-    std::vector<const VertexIds*> found;
-    for (const VertexIds& region : regions)
-        found.push_back(&region);
-    return found;
-}
-
-template <typename Region>
-std::vector<const VertexIds*> vertices_of(const std::vector<Region>& regions)
-{
-    std::vector<const VertexIds*> found;
-    for (const Region& region : regions)
-        found.push_back(&region.vertices);
-    return found;
-}
-
 // The same motion, about another point.
 RigidMotion about(const RigidMotion& motion, const Vector3& centre)
 {
@@ -90,54 +73,79 @@ ThinSolver::ThinSolver(const ThinSolverInput& input)
 void ThinSolver::set_movers(Movers& movers, const Regions& regions, Mover::Kind kind)
 {
     for (std::size_t k = 0; k < regions.size(); ++k)
-        for (const int vertex : *regions[k])
+        for (const int vertex : regions[k])
             movers[at(vertex)] = {kind, static_cast<int>(k)};
 }
 
 // The later overrule the earlier: features, handles, the ground.
 void ThinSolver::find_movers(const ThinSolverInput& input)
 {
-    const PartConstraints& own = input.problem.own;
+    const Owner& owner = input.system.owners[at(input.index)];
+    const Sheet& sheet = input.system.sheets[at(owner.sheet)];
+    const auto side_of = [&](int weld)
+    { return side_of_weld(input.whole, input.system.welds[at(weld)], input.index); };
     std::vector<VertexIds> features, handles, fixed;
-    for (const int feature : own.features)
+    for (const int feature : owner.features)
+    {
         features.push_back(input.whole.features[at(feature)].vertices);
-    for (const int weld : input.problem.carriers)
-        features.push_back(side_of_weld(input.whole, input.welds[at(weld)], input.index));
-    for (const int handle : own.handles)
-        handles.push_back(input.whole.handles[at(handle)].vertices);
-    for (const int weld : input.problem.carried)
-        handles.push_back(side_of_weld(input.whole, input.welds[at(weld)], input.index));
+        sizes_.add(part_->mesh(), input.whole.features[at(feature)]);
+    }
+    for (const int body : owner.bodies)
+        if (const int weld = body - static_cast<int>(sheet.features.size());
+            weld >= 0 && weld < static_cast<int>(sheet.carriers.size()))
+            features.push_back(side_of(sheet.carriers[at(weld)]));
+    for (const int handle : owner.handles)
+    {
+        const surface::KnownRegion& region = sheet.surface.handles[at(handle)];
+        free_handles_.push_back(region.is_rotation_free ? owner.own(region.vertices) : VertexIds());
+        const std::size_t k = at(handle), own = sheet.handles.size();
+        handles.push_back(k < own ? input.whole.handles[at(sheet.handles[k])].vertices
+                                  : side_of(sheet.carried[k - own]));
+    }
     for (const PartRegion& region : input.whole.fixed)
         if (region.part == input.index)
             fixed.push_back(region.vertices);
-    for (const int weld : input.problem.held)
-        fixed.push_back(side_of_weld(input.whole, input.welds[at(weld)], input.index));
+    for (const int weld : sheet.held)
+        fixed.push_back(side_of(weld));
+    movers_.resize(at(part_->mesh().vertex_count()));
+    set_movers(movers_, features, Mover::Kind::feature);
+    set_movers(movers_, handles, Mover::Kind::handle);
+    set_movers(movers_, fixed, Mover::Kind::ground);
     for (const VertexIds& feature : features)
         centres_.push_back(centre_of(part_->mesh(), feature));
-    for (const int feature : own.features)
-        sizes_.add(part_->mesh(), input.whole.features[at(feature)]);
+    find_middle_movers(owner, sheet);
+}
 
-    movers_.resize(at(part_->mesh().vertex_count()));
-    set_movers(movers_, pointers(features), Mover::Kind::feature);
-    set_movers(movers_, pointers(handles), Mover::Kind::handle);
-    set_movers(movers_, pointers(fixed), Mover::Kind::ground);
-    for (const surface::KnownRegion& handle : own.surface.handles)
-        free_handles_.push_back(handle.is_rotation_free ? handle.vertices : VertexIds());
+void ThinSolver::find_middle_movers(const Owner& owner, const Sheet& sheet)
+{
+    const auto own = [&](const auto& regions, const std::vector<int>& which)
+    {
+        std::vector<VertexIds> found;
+        for (const int k : which)
+            found.push_back(owner.own(regions[at(k)].vertices));
+        return found;
+    };
+    std::vector<int> all(sheet.surface.fixed.size());
+    std::iota(all.begin(), all.end(), 0);
     middle_movers_.resize(part_->skin().vertices.size());
-    set_movers(middle_movers_, vertices_of(own.surface.features), Mover::Kind::feature);
-    set_movers(middle_movers_, vertices_of(own.surface.handles), Mover::Kind::handle);
-    set_movers(middle_movers_, vertices_of(own.surface.fixed), Mover::Kind::ground);
+    set_movers(middle_movers_, own(sheet.surface.features, owner.bodies), Mover::Kind::feature);
+    set_movers(middle_movers_, own(sheet.surface.handles, owner.handles), Mover::Kind::handle);
+    set_movers(middle_movers_, own(sheet.surface.fixed, all), Mover::Kind::ground);
 }
 
 void ThinSolver::find_points(const ThinSolverInput& input)
 {
     const mesh::TriangleMesh& mesh = part_->mesh();
-    const std::vector<int>& points = input.problem.own.points;
+    const std::vector<int>& points =
+        input.system.sheets[at(input.system.sheet_of(input.index))].points;
     for (std::size_t k = 0; k < points.size(); ++k)
     {
-        const surface::PointConstraint& point = input.whole.points[at(points[k])].constraint;
-        const auto corners = mesh.triangles().row(point.triangle);
-        points_.push_back({k, {{corners(0), corners(1), corners(2)}, point.barycentric}});
+        const PartPoint& point = input.whole.points[at(points[k])];
+        if (point.part != input.index)
+            continue;
+        const auto corners = mesh.triangles().row(point.constraint.triangle);
+        points_.push_back(
+            {k, {{corners(0), corners(1), corners(2)}, point.constraint.barycentric}});
     }
 }
 
@@ -222,9 +230,9 @@ volume::LocalRotations ThinSolver::rotations(const Deformation& middle,
 }
 
 // How the sheet turns at every anchor of some vertices that hang on it, one after the other.
-std::vector<Matrix3> ThinSolver::means(int begin, int end, const Sheet& sheet) const
+std::vector<Matrix3> ThinSolver::means(int begin, int end, const BentMiddle& bent) const
 {
-    const std::vector<Matrix3>& turned = sheet.turned.matrices;
+    const std::vector<Matrix3>& turned = bent.turned.matrices;
     std::vector<Matrix3> found;
     for (int vertex = begin; vertex < end; ++vertex)
         for (const mesh::Anchor& anchor : part_->anchors(vertex))
@@ -236,14 +244,14 @@ std::vector<Matrix3> ThinSolver::means(int begin, int end, const Sheet& sheet) c
 }
 
 ThinSolver::Hung ThinSolver::hung(int vertex, const mesh::Anchor& anchor, const Matrix3& mean,
-                                  const Sheet& sheet) const
+                                  const BentMiddle& bent) const
 {
     const Points& rest = part_->middle().points();
-    const std::vector<Matrix3>& turned = sheet.turned.matrices;
+    const std::vector<Matrix3>& turned = bent.turned.matrices;
     const Vector3 foot = anchor.on(rest);
     const Matrix3& first = turned[at(anchor.corners[0])];
     const Vector3 shift = anchor.sum(
-        [&](int corner) { return Vector3(sheet.middle.positions.row(corner) - rest.row(corner)); });
+        [&](int corner) { return Vector3(bent.middle.positions.row(corner) - rest.row(corner)); });
     const Vector3 bulge = 0.5
                           * anchor.sum(
                               [&](int corner) {
@@ -251,20 +259,20 @@ ThinSolver::Hung ThinSolver::hung(int vertex, const mesh::Anchor& anchor, const 
                                                  * (foot - rest.row(corner).transpose()));
                               });
     const Vector3 arm = part_->mesh().points().row(vertex).transpose() - foot;
-    const bool is_logged = sheet.turned.logs.rows() > 0;
+    const bool is_logged = bent.turned.logs.rows() > 0;
     const Vector3 log =
-        is_logged ? log_near(mean, anchor.on(sheet.turned.logs)) : Vector3(Vector3::Zero());
+        is_logged ? log_near(mean, anchor.on(bent.turned.logs)) : Vector3(Vector3::Zero());
     return {shift + (mean * arm - arm) + bulge, log};
 }
 
-void ThinSolver::hang(int vertex, const Matrix3* means, const Sheet& sheet,
+void ThinSolver::hang(int vertex, const Matrix3* means, const BentMiddle& bent,
                       Deformation& whole) const
 {
     const ThinPart::Anchors& anchors = part_->anchors(vertex);
     Vector3 shift = Vector3::Zero(), log = Vector3::Zero();
     for (std::size_t k = 0; k < anchors.size(); ++k)
     {
-        const Hung one = hung(vertex, anchors[k], means[k], sheet);
+        const Hung one = hung(vertex, anchors[k], means[k], bent);
         shift += one.shift / static_cast<double>(anchors.size());
         log += one.log / static_cast<double>(anchors.size());
     }
@@ -273,34 +281,34 @@ void ThinSolver::hang(int vertex, const Matrix3* means, const Sheet& sheet,
         whole.rotation_logs.row(vertex) = log.transpose();
 }
 
-void ThinSolver::carry(int vertex, const RigidMotion& motion, const Sheet& sheet,
+void ThinSolver::carry(int vertex, const RigidMotion& motion, const BentMiddle& bent,
                        Deformation& whole) const
 {
     whole.positions.row(vertex) =
-        motion.apply(Vector3(sheet.rest.row(vertex).transpose())).transpose();
+        motion.apply(Vector3(bent.rest.row(vertex).transpose())).transpose();
     if (whole.rotation_logs.rows() > 0)
         whole.rotation_logs.row(vertex) = motion.rotation_log.transpose();
 }
 
-void ThinSolver::place(int begin, int end, const Sheet& sheet, Deformation& whole) const
+void ThinSolver::place(int begin, int end, const BentMiddle& bent, Deformation& whole) const
 {
-    const std::vector<Matrix3> turned = means(begin, end, sheet);
+    const std::vector<Matrix3> turned = means(begin, end, bent);
     const Matrix3* next = turned.data();
     for (int vertex = begin; vertex < end; ++vertex)
     {
         const Mover& mover = movers_[at(vertex)];
         if (mover.kind == Mover::Kind::sheet)
         {
-            hang(vertex, next, sheet, whole);
+            hang(vertex, next, bent, whole);
             next += part_->anchors(vertex).size();
         }
         else if (mover.kind == Mover::Kind::ground)
             whole.positions.row(vertex) = part_->mesh().points().row(vertex);
         else
             carry(vertex,
-                  mover.kind == Mover::Kind::handle ? sheet.handles[at(mover.index)]
+                  mover.kind == Mover::Kind::handle ? bent.handles[at(mover.index)]
                                                     : whole.features[at(mover.index)],
-                  sheet, whole);
+                  bent, whole);
     }
 }
 
@@ -334,10 +342,10 @@ void ThinSolver::expand(const Deformation& middle, const surface::SurfaceTargets
     for (std::size_t k = 0; k < centres_.size(); ++k)
         whole.features.push_back(about(middle.features[k], centres_[k]));
     whole.convergence = middle.convergence;
-    const Sheet sheet{middle, turned, handles, is_sized ? sized : mesh.points()};
+    const BentMiddle bent{middle, turned, handles, is_sized ? sized : mesh.points()};
     parallel_ranges(mesh.vertex_count(), microsecond_items,
                     [&](Eigen::Index begin, Eigen::Index end)
-                    { place(static_cast<int>(begin), static_cast<int>(end), sheet, whole); });
+                    { place(static_cast<int>(begin), static_cast<int>(end), bent, whole); });
 }
 
 VertexIds ThinSolver::read_logs() const

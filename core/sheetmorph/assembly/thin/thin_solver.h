@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/assembly/plan/part_problem.h"
+#include "sheetmorph/assembly/system/system.h"
 #include "sheetmorph/assembly/thin/thin_reduction.h"
 #include "sheetmorph/assembly/thin/thin_sizes.h"
+#include "sheetmorph/surface/surface_deformer.h"
 #include "sheetmorph/volume/local_rotations.h"
 
 namespace sheetmorph::assembly
@@ -13,10 +14,9 @@ namespace sheetmorph::assembly
 struct ThinSolverInput
 {
     std::shared_ptr<const ThinPart> part;
-    const Assembly& whole;       //!< with_lumps(); only read during construction
-    const PartProblem& problem;  //!< of the reduced assembly
-    const std::vector<RigidWeld>& welds;
-    int index = 0;  //!< of the part
+    const Assembly& whole;  //!< with_lumps(); only read during construction
+    const System& system;   //!< of the reduced assembly; likewise
+    int index = 0;          //!< of the part
 };
 
 //! From the middle of a thin part to all its vertices. A vertex of a fixed region, a handle, a
@@ -41,7 +41,7 @@ public:
     bool has_points() const { return !points_.empty(); }
 
     //! All vertices for a middle, with rotation logs if exact.
-    //! \param targets  handles and sizes
+    //! \param targets  handles and sizes of the part's own (Owner)
     //! \param whole    filled; its memory is used again
     void expand(const surface::Deformation& middle, const surface::SurfaceTargets& targets,
                 Exactness level, surface::Deformation& whole) const;
@@ -69,9 +69,10 @@ private:
         mesh::Anchor place;  // of the whole mesh
     };
     using Movers = std::vector<Mover>;
-    using Regions = std::vector<const VertexIds*>;
+    using Regions = std::vector<VertexIds>;
 
     void find_movers(const ThinSolverInput& input);
+    void find_middle_movers(const Owner& owner, const Sheet& sheet);
     void find_points(const ThinSolverInput& input);
     static void set_movers(Movers& movers, const Regions& regions, Mover::Kind kind);
     std::vector<RigidMotion> known_handles(const surface::Deformation& middle,
@@ -79,7 +80,7 @@ private:
     volume::LocalRotations rotations(const surface::Deformation& middle,
                                      const std::vector<RigidMotion>& handles,
                                      Exactness level) const;
-    struct Sheet
+    struct BentMiddle
     {
         const surface::Deformation& middle;
         const volume::LocalRotations& turned;  // without logs unless exact
@@ -91,13 +92,13 @@ private:
         Vector3 shift;
         Vector3 log;
     };
-    std::vector<Matrix3> means(int begin, int end, const Sheet& sheet) const;
+    std::vector<Matrix3> means(int begin, int end, const BentMiddle& bent) const;
     Hung hung(int vertex, const mesh::Anchor& anchor, const Matrix3& mean,
-              const Sheet& sheet) const;
-    void hang(int vertex, const Matrix3* means, const Sheet& sheet,
+              const BentMiddle& bent) const;
+    void hang(int vertex, const Matrix3* means, const BentMiddle& bent,
               surface::Deformation& whole) const;
-    void place(int begin, int end, const Sheet& sheet, surface::Deformation& whole) const;
-    void carry(int vertex, const RigidMotion& motion, const Sheet& sheet,
+    void place(int begin, int end, const BentMiddle& bent, surface::Deformation& whole) const;
+    void carry(int vertex, const RigidMotion& motion, const BentMiddle& bent,
                surface::Deformation& whole) const;
     double ask_for_missing(const surface::Deformation& whole,
                            const surface::SurfaceTargets& targets,
@@ -106,8 +107,8 @@ private:
     std::shared_ptr<const ThinPart> part_;
     Movers movers_, middle_movers_;        // by vertex of the whole part, of the middle
     std::vector<VertexIds> free_handles_;  // by handle: its middle vertices if the energy turns it
-    // Of the bodies of the whole part: its own features and the welds that it carries. They are the
-    // first bodies of the middle, which has more: held welds, loose pieces.
+    // Of the bodies of the whole part: its own features and the welds that are bodies of its sheet.
+    // They are the first bodies of the middle, which has more: held welds, loose pieces.
     std::vector<Vector3> centres_;
     ThinSizes sizes_;
     std::vector<PlacedPoint> points_;

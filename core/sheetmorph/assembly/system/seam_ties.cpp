@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/assembly/whole/seam_ties.h"
+#include "sheetmorph/assembly/system/seam_ties.h"
 
 #include "sheetmorph/base/index.h"
 
@@ -33,22 +33,21 @@ double coarseness(const mesh::TriangleMesh& mesh)
     return sum > 0.0 ? std::round(std::log(sum / (3.0 * mesh.triangle_count())) / as_fine) : 0.0;
 }
 
-std::vector<char> rigid_vertices(const Assembly& joined)
+std::vector<char> rigid_vertices(const Sheet& sheet)
 {
-    const Part& part = joined.parts.front();
-    std::vector<char> is_rigid(at(part.mesh.vertex_count()), 0);
+    std::vector<char> is_rigid(at(sheet.mesh.vertex_count()), 0);
     const auto mark = [&](const auto& items)
     {
         for (const auto& item : items)
             for (const int vertex : item.vertices)
                 is_rigid[at(vertex)] = 1;
     };
-    mark(joined.features);
-    mark(joined.handles);
-    mark(joined.fixed);
-    mark(part.stitches);
-    for (const PartPoint& point : joined.points)
-        for (const int corner : part.mesh.triangles().row(point.constraint.triangle))
+    mark(sheet.surface.features);
+    mark(sheet.surface.handles);
+    mark(sheet.surface.fixed);
+    mark(sheet.surface.stitches);
+    for (const surface::PointConstraint& point : sheet.surface.points)
+        for (const int corner : sheet.mesh.triangles().row(point.triangle))
             is_rigid[at(corner)] = 1;
     return is_rigid;
 }
@@ -57,25 +56,25 @@ std::vector<char> rigid_vertices(const Assembly& joined)
 class Tying
 {
 public:
-    explicit Tying(const Assembly& joined)
-        : part_(joined.parts.front()),
-          step_(std::max(as_near * part_.mesh.size(), std::numeric_limits<double>::min())),
-          is_rigid_(rigid_vertices(joined)),
-          place_of_(at(part_.mesh.vertex_count()), nullptr)
+    explicit Tying(const Sheet& sheet)
+        : sheet_(sheet),
+          step_(std::max(as_near * sheet.mesh.size(), std::numeric_limits<double>::min())),
+          is_rigid_(rigid_vertices(sheet)),
+          place_of_(at(sheet.mesh.vertex_count()), nullptr)
     {
     }
 
     // Ties the targets of all seams, nearest first.
-    void tie_targets(const std::vector<TiedSeam>& seams)
+    void tie_targets(const std::vector<Seam>& seams)
     {
         using Key = std::tuple<double, int, int>;  // distance, rank of the source, vertex
         std::vector<std::pair<Key, const mesh::Anchor*>> wishes;
-        for (const TiedSeam& seam : seams)
+        for (const Seam& seam : seams)
             for (std::size_t k = 0; k < seam.target.size(); ++k)
                 if (const int vertex = seam.target[k]; !is_rigid_[at(vertex)])
                     wishes.emplace_back(
-                        Key(steps_to(vertex, seam.places.of_target[k]), seam.source_rank, vertex),
-                        &seam.places.of_target[k]);
+                        Key(steps_to(vertex, seam.of_target[k]), seam.source_rank, vertex),
+                        &seam.of_target[k]);
         std::stable_sort(wishes.begin(), wishes.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
         for (const auto& [key, place] : wishes)
@@ -84,15 +83,16 @@ public:
     }
 
     // Ties the source where a whole triangle of the target is already tied elsewhere.
-    void tie_source(const TiedSeam& seam)
+    void tie_source(const Seam& seam)
     {
         for (std::size_t k = 0; k < seam.source.size(); ++k)
         {
             const int vertex = seam.source[k];
-            const mesh::Anchor& place = seam.places.of_source[k];
-            const auto is_elsewhere = [&](int corner) {
+            const mesh::Anchor& place = seam.of_source[k];
+            const auto is_elsewhere = [&](int corner)
+            {
                 return place_of_[at(corner)] != nullptr
-                       && !leads_to(*place_of_[at(corner)], part_of(vertex));
+                       && !leads_to(*place_of_[at(corner)], sheet_.part_of(vertex));
             };
             if (!is_rigid_[at(vertex)] && place_of_[at(vertex)] == nullptr
                 && std::all_of(place.corners.begin(), place.corners.end(), is_elsewhere))
@@ -104,7 +104,7 @@ public:
     {
         std::vector<surface::Tie> ties;
         std::vector<char> is_done(place_of_.size(), 0);
-        for (int vertex = 0; vertex < part_.mesh.vertex_count(); ++vertex)
+        for (int vertex = 0; vertex < sheet_.mesh.vertex_count(); ++vertex)
             add_after_corners(vertex, is_done, ties);
         return ties;
     }
@@ -112,14 +112,8 @@ public:
 private:
     double steps_to(int vertex, const mesh::Anchor& place) const
     {
-        const Vector3 own = part_.mesh.points().row(vertex).transpose();
-        return std::round((own - place.on(part_.mesh.points())).norm() / step_);
-    }
-
-    int part_of(int vertex) const
-    {
-        const auto after = std::upper_bound(part_.joined.begin(), part_.joined.end(), vertex);
-        return static_cast<int>(after - part_.joined.begin()) - 1;
+        const Vector3 own = sheet_.mesh.points().row(vertex).transpose();
+        return std::round((own - place.on(sheet_.mesh.points())).norm() / step_);
     }
 
     //! Whether a place lies on a part, directly or through ties.
@@ -131,7 +125,7 @@ private:
         {
             const int vertex = open.back();
             open.pop_back();
-            if (part_of(vertex) == part)
+            if (sheet_.part_of(vertex) == part)
                 return true;
             const mesh::Anchor* below = place_of_[at(vertex)];
             if (below != nullptr && seen.insert(vertex).second)
@@ -152,7 +146,7 @@ private:
         ties.push_back({vertex, *place});
     }
 
-    const Part& part_;
+    const Sheet& sheet_;
     double step_;
     std::vector<char> is_rigid_;
     std::vector<const mesh::Anchor*> place_of_;  // by vertex, if tied
@@ -179,9 +173,8 @@ std::vector<int> ranks_by_fineness(const Assembly& assembly)
     return ranks;
 }
 
-void lead_by_coarser(const Assembly& assembly, PropagationPlan& plan)
+void lead_by_coarser(const Assembly& assembly, const std::vector<int>& ranks, PropagationPlan& plan)
 {
-    const std::vector<int> ranks = ranks_by_fineness(assembly);
     for (DirectedContact& directed : plan.measured)
     {
         const Contact& contact = assembly.contacts[at(directed.contact)];
@@ -189,18 +182,18 @@ void lead_by_coarser(const Assembly& assembly, PropagationPlan& plan)
     }
 }
 
-std::vector<surface::Tie> tied(const Assembly& joined, const std::vector<TiedSeam>& seams)
+std::vector<surface::Tie> tied(const Sheet& sheet, const std::vector<Seam>& seams)
 {
-    Tying tying(joined);
+    Tying tying(sheet);
     tying.tie_targets(seams);
-    std::vector<const TiedSeam*> by_rank;
-    for (const TiedSeam& seam : seams)
+    std::vector<const Seam*> by_rank;
+    for (const Seam& seam : seams)
         by_rank.push_back(&seam);
     std::stable_sort(
         by_rank.begin(), by_rank.end(),
-        [](const TiedSeam* a, const TiedSeam* b)
+        [](const Seam* a, const Seam* b)
         { return std::tie(a->source_rank, a->rank) < std::tie(b->source_rank, b->rank); });
-    for (const TiedSeam* seam : by_rank)
+    for (const Seam* seam : by_rank)
         tying.tie_source(*seam);
     return tying.in_order();
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/assembly/plan/loose_pieces.h"
+#include "sheetmorph/assembly/system/loose_pieces.h"
 
-#include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/geometry/components.h"
@@ -76,14 +75,14 @@ VertexIds place_beside(const VertexIds& piece, const mesh::TriangleMesh& held,
     return corners;
 }
 
-void send_along(const Part& part, PartProblem& problem)
+void send_along(Sheet& sheet)
 {
-    const mesh::TriangleMesh& mesh = part.mesh;
-    surface::SurfaceConstraints& surface = problem.own.surface;
-    const mesh::TriangleMesh held = held_mesh(mesh, problem.loose);
+    const mesh::TriangleMesh& mesh = sheet.mesh;
+    surface::SurfaceConstraints& surface = sheet.surface;
+    const mesh::TriangleMesh held = held_mesh(mesh, sheet.loose);
     const mesh::PickingTree tree(held);
     const std::vector<int> movers = movers_of(mesh, surface);
-    for (const VertexIds& piece : problem.loose)
+    for (const VertexIds& piece : sheet.loose)
     {
         surface::FormFeature body{"around vertex " + std::to_string(piece.front()),
                                   piece,
@@ -91,7 +90,7 @@ void send_along(const Part& part, PartProblem& problem)
                                   "loose piece",
                                   {},
                                   false,
-                                  subjects_of("part", part)};
+                                  sheet.of};
         const VertexIds beside = place_beside(piece, held, tree, movers);
         body.vertices.insert(body.vertices.end(), beside.begin(), beside.end());
         surface.features.push_back(std::move(body));
@@ -100,26 +99,26 @@ void send_along(const Part& part, PartProblem& problem)
 
 }  // namespace
 
-void hold_loose_pieces(const Part& part, Unheld unheld, PartProblem& problem)
+void hold_loose_pieces(Unheld unheld, Sheet& sheet)
 {
-    if (unheld == Unheld::refuse || !problem.is_driven()
-        || mesh::connected_components(part.mesh).count < 2)
+    if (unheld == Unheld::refuse || !sheet.is_driven()
+        || mesh::connected_components(sheet.mesh).count < 2)
         return;
-    surface::SurfaceConstraints& surface = problem.own.surface;
+    surface::SurfaceConstraints& surface = sheet.surface;
     try
     {
-        problem.loose = surface::unheld_components(part.mesh, surface);
+        sheet.loose = surface::unheld_components(sheet.mesh, surface);
     }
     catch (const InvalidInput& fault)
     {
-        throw in_part(fault, part);
+        throw in_sheet(fault, sheet);
     }
-    if (problem.loose.empty())
+    if (sheet.loose.empty())
         return;
     if (unheld == Unheld::along)
-        return send_along(part, problem);
-    surface::KnownRegion rest{"loose pieces", {}, "region", false, subjects_of("part", part)};
-    for (const VertexIds& piece : problem.loose)
+        return send_along(sheet);
+    surface::KnownRegion rest{"loose pieces", {}, "region", false, sheet.of};
+    for (const VertexIds& piece : sheet.loose)
         rest.vertices.insert(rest.vertices.end(), piece.begin(), piece.end());
     surface.fixed.push_back(std::move(rest));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/assembly/whole/seams.h"
+#include "sheetmorph/assembly/system/seams.h"
 
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/index.h"
@@ -99,27 +99,28 @@ std::vector<Pair> pairs_from(const mesh::TriangleMesh& mesh, const VertexIds& fr
 class Clusters
 {
 public:
-    explicit Clusters(const Assembly& joined)
-        : parts_(joined.parts.front().joined),
-          sets_(joined.parts.front().mesh.vertex_count()),
-          is_rigid_(at(joined.parts.front().mesh.vertex_count()), 0)
+    explicit Clusters(const Sheet& sheet)
+        : sheet_(sheet),
+          sets_(sheet.mesh.vertex_count()),
+          is_rigid_(at(sheet.mesh.vertex_count()), 0)
     {
-        for (const PartFeature& feature : joined.features)
+        const surface::SurfaceConstraints& surface = sheet.surface;
+        for (const surface::FormFeature& feature : surface.features)
             make_rigid(feature.vertices);
-        for (const FeatureGroup& group : joined.groups)
-            for (const int feature : group.features)
-                sets_.join(joined.features[at(group.features.front())].vertices.front(),
-                           joined.features[at(feature)].vertices.front());
-        for (const PartRegion& fixed : joined.fixed)
+        for (const std::vector<int>& group : surface.groups)
+            for (const int feature : group)
+                sets_.join(surface.features[at(group.front())].vertices.front(),
+                           surface.features[at(feature)].vertices.front());
+        for (const surface::KnownRegion& fixed : surface.fixed)
             make_rigid(fixed.vertices);
-        for (const PartHandle& handle : joined.handles)
+        for (const surface::KnownRegion& handle : surface.handles)
             make_rigid(handle.vertices);
         for (std::size_t i = 0; i < is_rigid_.size(); ++i)
             if (is_rigid_[i])
                 rigid_[sets_.root(static_cast<int>(i))].insert(part_of(static_cast<int>(i)));
-        for (std::size_t k = 0; k < joined.handles.size(); ++k)
-            drivers_[sets_.root(joined.handles[k].vertices.front())].insert(static_cast<int>(k));
-        for (const PartRegion& fixed : joined.fixed)
+        for (std::size_t k = 0; k < surface.handles.size(); ++k)
+            drivers_[sets_.root(surface.handles[k].vertices.front())].insert(static_cast<int>(k));
+        for (const surface::KnownRegion& fixed : surface.fixed)
             drivers_[sets_.root(fixed.vertices.front())].insert(none);
     }
 
@@ -157,11 +158,7 @@ private:
         }
     }
 
-    int part_of(int vertex) const
-    {
-        const auto after = std::upper_bound(parts_.begin(), parts_.end(), vertex);
-        return static_cast<int>(after - parts_.begin()) - 1;
-    }
+    int part_of(int vertex) const { return sheet_.part_of(vertex); }
 
     bool is_alone(int vertex)
     {
@@ -190,7 +187,7 @@ private:
                             [&](int part) { return of_b.count(part) > 0; });
     }
 
-    const std::vector<int>& parts_;
+    const Sheet& sheet_;
     DisjointSets sets_;
     std::vector<char> is_rigid_;              // by vertex: on a feature, handle or fixed region
     Sets rigid_, loose_;                      // parts of these and other vertices in a cluster
@@ -200,13 +197,13 @@ private:
 
 }  // namespace
 
-std::vector<PartRegion> stitched(const Assembly& joined, const std::vector<Seam>& seams)
+std::vector<surface::KnownRegion> stitched(const Sheet& sheet, const std::vector<Seam>& seams)
 {
-    const mesh::TriangleMesh& mesh = joined.parts.front().mesh;
+    const mesh::TriangleMesh& mesh = sheet.mesh;
     std::vector<Pair> pairs;
     for (std::size_t k = 0; k < seams.size(); ++k)
     {
-        VertexIds a = seams[k].a, b = seams[k].b;
+        VertexIds a = seams[k].target, b = seams[k].source;
         make_set(a);
         make_set(b);
         for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)})
@@ -214,7 +211,7 @@ std::vector<PartRegion> stitched(const Assembly& joined, const std::vector<Seam>
                 pairs.push_back(pair);
     }
     std::sort(pairs.begin(), pairs.end());
-    Clusters clusters(joined);
+    Clusters clusters(sheet);
     DisjointSets stitches(mesh.vertex_count());
     std::map<int, std::string> name_of;  // by vertex
     for (const Pair& pair : pairs)
@@ -225,15 +222,13 @@ std::vector<PartRegion> stitched(const Assembly& joined, const std::vector<Seam>
             for (const int vertex : {pair.a, pair.b})
                 name_of.emplace(vertex, seams[at(pair.seam)].name);
         }
-    std::map<int, PartRegion> found;
+    std::map<int, surface::KnownRegion> found;
     for (const auto& [vertex, name] : name_of)
     {
-        PartRegion& stitch =
-            found.emplace(stitches.root(vertex), PartRegion{name, 0, {}, {{"contact", name}}})
-                .first->second;
-        stitch.vertices.push_back(vertex);
+        const surface::KnownRegion stitch{name, {}, "contact", false, {{"contact", name}}};
+        found.emplace(stitches.root(vertex), stitch).first->second.vertices.push_back(vertex);
     }
-    std::vector<PartRegion> result;
+    std::vector<surface::KnownRegion> result;
     for (auto& [root, stitch] : found)
         result.push_back(std::move(stitch));
     return result;

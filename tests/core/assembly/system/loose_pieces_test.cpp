@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/assembly/plan/loose_pieces.h"
+#include "sheetmorph/assembly/system/loose_pieces.h"
 
 #include "assembly/frames.h"
 #include "assembly/refusals.h"
