@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from ..arrays import Bools, Floats, Ints
-from ..blocks import chunks
-from ..errors import FileError
+from ..base.arrays import Bools, Floats, Ints
+from ..base.blocks import chunks
+from ..base.errors import FileError
 from .abaqus_joints import Sets, add_joint
 from .abaqus_lines import AbaqusLines, Keyword
 from .abaqus_sets import NamedSets

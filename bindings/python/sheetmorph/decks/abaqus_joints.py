@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arrays import Ints
+from ..base.arrays import Ints
 from .abaqus_lines import AbaqusLines, Keyword
 from .abaqus_sets import members_of
 from .abaqus_table import FIELDS

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Ints
-from ..blocks import chunks
+from ..base.arrays import Ints
+from ..base.blocks import chunks
 from .model import Raw
 from .numbers import parse_integer, parse_real
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ..arrays import Ints
+from ..base.arrays import Ints
 from .abaqus_lines import AbaqusLines, Keyword
 from .model import NamedSet, Raw
 from .numbers import parse_integer

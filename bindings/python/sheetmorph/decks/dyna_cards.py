@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Bools, Ints
+from ..base.arrays import Bools, Ints
 from .model import Raw
 
 _HEAD = re.compile(r"\*\s*([A-Za-z0-9_\-]*[A-Za-z0-9_])\s*([%+\-]?)(.*)", re.DOTALL)

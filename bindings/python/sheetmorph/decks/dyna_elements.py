@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arrays import Ints
+from ..base.arrays import Ints
 from .cut import Cut, small
 from .dyna_cards import DynaCards, Section
 from .dyna_table import ELEMENTS as KINDS

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Array, Floats, Ints
-from ..blocks import CHUNK, chunks
+from ..base.arrays import Array, Floats, Ints
+from ..base.blocks import CHUNK, chunks
 from .commas import integers, reals, words
 from .cut import small
 from .deck import Deck

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..arrays import Ints
+from ..base.arrays import Ints
 from .model import NamedSet, Raw
 
 _DIMENSIONS = {"mass": 0, "line": 1, "shell": 2, "solid": 3}

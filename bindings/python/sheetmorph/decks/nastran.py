@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..arrays import Bools, Ints
-from ..blocks import chunks
+from ..base.arrays import Bools, Ints
+from ..base.blocks import chunks
 from .cut import side_by_side, small
 from .deck import Deck
 from .frames import Frame

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..arrays import Bools, Ints
-from ..blocks import chunks
+from ..base.arrays import Bools, Ints
+from ..base.blocks import chunks
 from .numbers import parse_integer, parse_real
 from .text import DeckText
 

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from ..arrays import Bools, Ints
+from ..base.arrays import Bools, Ints
+from ..base.words import counted
 from .cut import Cut, small
-from ..words import counted
 from .deck import Deck
 from .includes import Included
 from .model import Elements, Opener, Place, Raw

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Ints
+from ..base.arrays import Ints
 from .model import Raw
 from .numbers import parse_integer
 from .placing import remember_placing

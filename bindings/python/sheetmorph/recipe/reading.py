@@ -12,7 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ..errors import Fault, RecipeError
+from ..base.errors import Fault, RecipeError
 from ..files.comments import plain_json
 from ..files.reading import read_text
 from .lines import Lines, repeated_key

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arrays import Floats, Ints
+from ..base.arrays import Floats, Ints
+from ..base.kernel import load_kernel
+from ..base.labels import Labels
+from ..base.part_mesh import PartMesh
 from ..finding.findings import FindPart
 from ..finding.search import find
-from ..kernel import load_kernel
-from ..labels import Labels
-from ..part_mesh import PartMesh
 from ..recipe.placement import Placement
 from .cad_edges import CadEdge, cad_edges
 from .chosen import Chosen

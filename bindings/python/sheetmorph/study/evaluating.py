@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
-from ..errors import Fault, RecipeError
-from ..report import make_report
-from ..session import Result
+from ..base.arrays import Floats
+from ..base.errors import Fault, RecipeError
+from ..morph.session import Result
+from ..reporting.report import make_report
 from .figures import Figures
 from .measures import Numbers as Measured
 from .measures import Scene

@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from ..answer import Answer
-from ..arrays import Floats
-from ..report import part_report, rigidity
-from ..thin import new_crossings
+from ..base.arrays import Floats
+from ..reporting.report import part_report, rigidity
+from ..reporting.thin import new_crossings
+from ..solving.answer import Answer
 from .gaps import touching
 
 # For these the worst value is the smallest; for all others it is the largest.

@@ -9,19 +9,14 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-
-from ..arrays import Floats
-from ..errors import Fault, RecipeError
-from ..progress import Progress
-from ..recipe import (
-    check_pose,
-    check_with_meshes,
-    named_in,
-    prepare,
-    read_json,
-)
+from ..base.arrays import Floats
+from ..base.errors import Fault, RecipeError
+from ..base.progress import Progress
+from ..base.version import __version__
+from ..checking import check_pose, check_with_meshes, prepare
 from ..recipe.model import Model
 from ..recipe.parts import Parts
+from ..recipe.reading import named_in, read_json
 from ..recipe.structure import structural_faults
 from .certifying import STANDARD
 from .figures import FIGURES
@@ -139,14 +134,7 @@ class Plan:
             for source in self.parts.sources
         }
         meanings = [entry.meaning() for entry in self.study.parameters]
-        return [_FORMAT, _version(), self.recipe, files, meanings]
-
-
-def _version() -> str:
-    # Imported here, because the package is still incomplete at import time.
-    from .. import __version__
-
-    return __version__
+        return [_FORMAT, __version__, self.recipe, files, meanings]
 
 
 def _require_known_criteria(study: Study, measures: Measures) -> None:

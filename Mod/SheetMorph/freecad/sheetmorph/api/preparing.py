@@ -202,7 +202,7 @@ def splitting_module():
 def prepared_module():
     """Return the preparation module of the package."""
     kernel.load()
-    from sheetmorph import prepared_mesh
+    from sheetmorph.files import prepared_mesh
 
     return prepared_mesh
 
