@@ -13,7 +13,7 @@ import pytest
 from plates import plate, recipe_of, write_plate
 from sheetmorph import PartMesh, Session, read_part, run
 from sheetmorph.certifying import NotCertified, certify, read_criteria
-from sheetmorph.cli.table import ending_of
+from sheetmorph.cli.summary import ending_of
 from sheetmorph.measuring.gaps import Surface
 
 PART = plate(holes=2, cells=3)

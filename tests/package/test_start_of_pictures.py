@@ -37,4 +37,3 @@ def test_show_loads_neither_vtk_nor_what_other_commands_and_files_need(folder: P
     assert not [
         name for name in modules if name.startswith(("sheetmorph.study", "sheetmorph.flat"))
     ]
-    assert "sheetmorph.cad" not in modules

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measures that need positions only: rigidity of form features, and self-intersections."""
+"""Rigidity of form features, from positions alone."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
-
 import numpy as np
 
 from ..base.arrays import Floats, Ints
@@ -56,10 +54,3 @@ def edge_error(rest: Floats, positions: Floats, edges: Ints, rotation: Floats | 
         lengths = np.linalg.norm(after, axis=1) - np.linalg.norm(before, axis=1)
         return float(np.abs(lengths).max(initial=0.0))
     return float(np.linalg.norm(after - before @ rotation.T, axis=1).max(initial=0.0))
-
-
-def crossings(core: Any, points: Floats, triangles: Ints) -> Ints:
-    """Return sorted pairs (k, 2) of triangles (m, 3) that intersect but share no corner (CGAL)."""
-    pairs = core.self_intersections(core.TriangleMesh(np.array(points), triangles))
-    found: Ints = np.asarray(pairs, dtype=np.int64).reshape(-1, 2)
-    return found

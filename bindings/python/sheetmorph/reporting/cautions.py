@@ -17,7 +17,7 @@ from ..solving.preprocessed import Preprocessed
 from ..solving.results import ContactResult
 from .lost_turns import lost_turns
 from .regions import region_remarks
-from .thin import new_crossings
+from .thin_solids import crossed_anew
 
 UNREACHED, OPEN_CONTACT = "unreached", "open contact"
 
@@ -233,7 +233,7 @@ def _crossing(result: Answer, name: str) -> Iterator[str]:
         number = counted(len(pairs), "pair", "pairs")
         return f"{at_place(places[triangles[pairs[0, 0]]].mean(axis=0))} ({number} of triangles)"
 
-    found, drawn = new_crossings(result, name), result.session.rest_crossings(name)
+    found, drawn = crossed_anew(result, name), result.session.rest_crossings(name)
     if len(found):
         yield (
             f'"{name}" passes through itself in this pose, at {where(found)}: turn it less, or '

@@ -29,7 +29,7 @@ from .notes import notes_of, shape_notes
 from .regions import region_entries
 from .shapes import WrittenShapes, kink_notes, shape_failures, shape_report
 from .stretch import steel_report, stretch_report
-from .thin import crossed, thickness_in_file, thin_failures, thin_report
+from .thin_solids import crossed, thickness_in_file, thin_failures, thin_report
 
 
 Shown = TypeVar("Shown", bound=Answer)

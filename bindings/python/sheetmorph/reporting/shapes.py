@@ -13,7 +13,7 @@ from ..base.errors import list_ids
 from ..base.part_mesh import PartMesh
 from ..base.words import folds
 from ..files.cad_writing import CadWriting
-from ..measuring.rigidity import crossings
+from ..measuring.crossings import crossings
 
 # Smallest kink to report, degrees; admissible radius error of a kept cylinder, mm.
 KINK, RADIUS = 0.1, 1e-9
@@ -95,9 +95,7 @@ def shape_failures(part: str, shape: dict[str, Any], flipped: int) -> Iterator[s
 def fold_of(core: Any, mesh: PartMesh, positions: Floats) -> str:
     """Describe how a mesh folds at positions (n, 3); return "" if it does not."""
     flipped = int(core.compare_quality(mesh.points, positions, mesh.triangles).flipped)
-    rest, deformed = (
-        len(crossings(core, points, mesh.triangles)) for points in (mesh.points, positions)
-    )
+    rest, deformed = (len(crossings(points, mesh.triangles)) for points in (mesh.points, positions))
     return _fold(flipped, rest, deformed)
 
 

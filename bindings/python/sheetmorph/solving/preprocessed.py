@@ -18,7 +18,8 @@ from ..base.part_mesh import PartMesh
 from ..base.progress import Progress
 from ..checking import check_pose, check_with_meshes
 from ..measuring.gaps import ContactGap, Surface
-from ..measuring.rigidity import crossings, feature_edges
+from ..measuring.crossings import crossings
+from ..measuring.rigidity import feature_edges
 from ..measuring.strain import EdgeChanges
 from ..measuring.tears import Cuts
 from ..recipe.found import Found
@@ -230,7 +231,7 @@ class Preprocessed:
         """Return the pairs (k, 2) of triangles of a part that intersect at rest."""
         if part not in self._crossings:
             mesh = self.meshes[part]
-            self._crossings[part] = crossings(self._core, mesh.points, mesh.triangles)
+            self._crossings[part] = crossings(mesh.points, mesh.triangles)
         return self._crossings[part]
 
     def cuts(self, part: str) -> Cuts:

@@ -12,9 +12,9 @@ import numpy as np
 
 from ..base.arrays import Floats
 from ..reporting.report import part_report, rigidity
-from ..reporting.thin import new_crossings
+from ..reporting.thin_solids import crossed_anew
 from ..solving.answer import Answer
-from .gaps import touching
+from ..measuring.distance import touching
 
 # For these the worst value is the smallest; for all others it is the largest.
 _SMALLEST = {"angle"}
@@ -71,7 +71,7 @@ class Figures:
             pairs = [(c["gap_change"], c["source"], c["target"]) for c in report["contacts"]]
             return [change for change, *parts in pairs if not part or part in parts]
         if name == "crossings":
-            return [len(new_crossings(self._result, entry)) for entry in self._result.positions]
+            return [len(crossed_anew(self._result, entry)) for entry in self._result.positions]
         return [len(report["warnings"])] if name == "warnings" else [self._touching]
 
     @cached_property

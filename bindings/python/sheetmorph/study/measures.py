@@ -16,7 +16,7 @@ from ..base.kernel import load_kernel
 from ..base.part_mesh import PartMesh
 from ..recipe.model import Model
 from .expressions import Expression
-from .gaps import Gap
+from ..measuring.distance import Gap
 from .reading import Study
 from .spots import spot_of
 

@@ -10,7 +10,7 @@ import numpy as np
 from ..base.arrays import Floats, Ints
 from ..base.kernel import load_kernel
 from ..base.part_mesh import PartMesh
-from ..measuring.gaps import Surface
+from .gaps import Surface
 
 # Vertices to measure before the next check whether the others are too far away.
 _AT_ONCE = 1000

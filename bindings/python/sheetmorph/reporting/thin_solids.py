@@ -5,10 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from ..base.arrays import Floats, Ints
-from ..measuring.rigidity import crossings
+from ..measuring.crossings import crossings, new_crossings
+from ..measuring.thickness import thickness_change
 from ..solving.answer import Answer
 
 
@@ -21,10 +20,8 @@ def thin_report(result: Answer, part: str) -> dict[str, Any] | None:
     solid = session.thin_solid(part)
     if solid is None:
         return None
-    core, triangles = session.core, session.meshes[part].triangles
-    mesh = core.TriangleMesh(session.meshes[part].points, triangles)
-    positions = np.array(result.positions[part])
-    change = core.thickness_change(mesh, solid, positions)
+    positions = result.positions[part]
+    change = thickness_change(session.meshes[part], solid, positions)
     vertex, rest, deformed = change.place
     lumps = [lump for lump in result.lumps if lump.part == part]
     return {
@@ -56,11 +53,8 @@ def thickness_in_file(result: Answer, part: str, points: Floats) -> dict[str, An
     solid, own = result.session.thin_solid(part), result.session.meshes[part]
     if solid is None or len(points) != len(own.points):
         return None
-    core = result.session.core
-    mesh = core.TriangleMesh(own.points, own.triangles)
     written, wanted = (
-        core.thickness_change(mesh, solid, np.array(there))
-        for there in (points, result.positions[part])
+        thickness_change(own, solid, there) for there in (points, result.positions[part])
     )
     return {
         "thickness": solid.thickness,
@@ -76,25 +70,18 @@ def crossed(result: Answer, part: str) -> tuple[int, int]:
     return len(result.session.rest_crossings(part)), len(_crossings(result, part))
 
 
-def new_crossings(result: Answer, part: str) -> Ints:
+def crossed_anew(result: Answer, part: str) -> Ints:
     """Return the pairs (k, 2) of triangles that intersect in the pose but not at rest."""
     pairs, session = _crossings(result, part), result.session
     if not len(pairs):
         return pairs
-    triangles = session.meshes[part].triangles
-    width = len(triangles)
-    rest = session.rest_crossings(part)
-    is_new = ~np.isin(pairs @ (width, 1), rest @ (width, 1))
-    corners = session.cuts(part).first[triangles[pairs]]
-    touched = (corners[:, 0, :, None] == corners[:, 1, None, :]).any(axis=(1, 2))
-    found: Ints = pairs[is_new & ~touched]
-    return found
+    corners = session.cuts(part).first[session.meshes[part].triangles]
+    return new_crossings(pairs, session.rest_crossings(part), corners)
 
 
 def _crossings(result: Answer, part: str) -> Ints:
-    core, triangles = result.session.core, result.session.meshes[part].triangles
-    positions = result.positions[part]
-    return result.once(("crossings", part), lambda: crossings(core, positions, triangles))
+    positions, triangles = result.positions[part], result.session.meshes[part].triangles
+    return result.once(("crossings", part), lambda: crossings(positions, triangles))
 
 
 def thin_failures(result: Answer, tol: float) -> list[str]:
