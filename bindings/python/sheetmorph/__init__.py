@@ -24,7 +24,7 @@ from .base.part_mesh import PartMesh
 from .checking import validate
 from .files import PartFile, read_part
 from .morph.live import LiveFrames
-from .morph.morph import Morph, open
+from .morph.morph import Morph, open_files
 from .morph.running import CertificateError, check, resolve, run
 from .morph.session import Drag, Result, Session
 from .reporting.cautions import open_contacts
@@ -93,8 +93,8 @@ __all__ = [
     "half_space",
     "intersection",
     "minus",
-    "open",
     "open_contacts",
+    "open_files",
     "piece_at",
     "read_part",
     "resolve",
@@ -108,6 +108,7 @@ __all__ = [
     "vertices",
 ]
 
+open = open_files  # its name in scripts; not in __all__, because a star import would hide open()
 old_names.install(__name__)
 
 

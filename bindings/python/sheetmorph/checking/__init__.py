@@ -3,6 +3,6 @@
 
 from __future__ import annotations
 
-from .checking import check_pose, check_with_meshes, prepare, validate, with_ids
+from .checking import check_entries, check_pose, check_with_meshes, prepare, validate, with_ids
 
-__all__ = ["check_pose", "check_with_meshes", "prepare", "validate", "with_ids"]
+__all__ = ["check_entries", "check_pose", "check_with_meshes", "prepare", "validate", "with_ids"]

@@ -17,6 +17,7 @@ from ..finding.reading import connections_of, find_parts
 from ..recipe.found import Found, Resolved
 from ..recipe.model import Model, model_of
 from ..recipe.parts import Parts, parts_of_meshes, read_parts
+from ..recipe.plain import plain
 from ..recipe.pose import Moved, pose_of
 from ..recipe.structure import pose_faults, structural_faults
 from ..recipe.unavailable import take_out
@@ -50,6 +51,7 @@ def prepare(recipe: Any, base: str | Path, progress: Progress | None = None) -> 
     ``found`` has the search result for "auto" entries. progress(fraction, task) may return False to
     cancel (RuntimeError). Raises RecipeError, and KernelError if a search needs the missing kernel.
     """
+    recipe = _plain(recipe, {})
     model, faults = _model(recipe)
     parts = read_parts(model.parts, base, progress)
     parts.joint_files = model.joint_files
@@ -80,9 +82,13 @@ def check_with_meshes(
 ) -> Model:
     """Return the model of a recipe whose parts are given as meshes, by name.
 
-    found is an earlier search result; without it the function searches for "auto" entries. Raises
-    RecipeError.
+    Arrays, tuples and masks may stand for lists. found is an earlier search result; without it the
+    function searches for "auto" entries. Raises RecipeError.
     """
+    return _checked(_plain(recipe, meshes), meshes, found)
+
+
+def _checked(recipe: Any, meshes: Mapping[str, PartMesh], found: Found | None = None) -> Model:
     model, faults = _model(recipe)
     model = model.with_parts(parts_of_meshes(model.parts, meshes))
     faults += meaning_faults(model, Known.of(model, recipe))
@@ -97,14 +103,14 @@ def check_with_meshes(
         raise RecipeError(faults)
     if has_selectors(recipe):
         ids = resolved(recipe, model.parts, meshes)
-        return replace(check_with_meshes(ids.recipe, meshes, found), told=ids.told)
+        return replace(_checked(ids.recipe, meshes, found), told=ids.told)
     asked = asked_sections(recipe)
     if not asked:
         return _with_common_nodes(recipe, model, meshes)
     if found is None:
         shapes = [FindPart(part.name, meshes[part.name]) for part in model.parts]
         found = search(in_file_ids(recipe, meshes), shapes)
-    whole = check_with_meshes(filled(recipe, found), meshes)
+    whole = _checked(filled(recipe, found), meshes)
     return replace(whole, found=found.for_report(asked))
 
 
@@ -135,14 +141,28 @@ def check_pose(model: Model, pose: Any) -> dict[str, Moved]:
     return moved
 
 
+def check_entries(recipe: Mapping[str, Any], section: str, meshes: Mapping[str, PartMesh]) -> None:
+    """Check the entries in a section of an unfinished recipe; selectors are not resolved.
+
+    Raises RecipeError.
+    """
+    keys = ("sheetmorph", "parts", "primary", section)
+    model, faults = _model({key: recipe[key] for key in keys if key in recipe})
+    model = model.with_parts(parts_of_meshes(model.parts, meshes))
+    faults += [*meaning_faults(model, Known.of(model, recipe)), *mesh_faults(model, meshes)]
+    own = [fault for fault in faults if fault.where.startswith(section)]
+    if own:
+        raise RecipeError(own)
+
+
 def _model(recipe: Any) -> tuple[Model, list[Fault]]:
-    _require_shallow(recipe)
     available, faults = take_out(recipe)
     structural, sound = structural_faults(available)
     return model_of(without_auto(sound)), [*faults, *structural]
 
 
-def _require_shallow(data: Any) -> None:
-    faults = depth_faults(data)
+def _plain(recipe: Any, meshes: Mapping[str, PartMesh]) -> Any:
+    faults = depth_faults(recipe)
     if faults:
         raise RecipeError(faults)
+    return plain(recipe, meshes)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from .morph import Morph, open
+from .morph import Morph, open_files
 from .session import Session
 
-__all__ = ["Morph", "Session", "open"]
+__all__ = ["Morph", "Session", "open_files"]

@@ -5,21 +5,23 @@ from __future__ import annotations
 
 import json
 import os
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
-from ..base.arrays import Ids
+import numpy as np
+
 from ..base.errors import Fault, RecipeError
 from ..base.words import counted
-from ..checking import check_with_meshes
+from ..checking import check_entries, check_pose, check_with_meshes
 from ..files import unpacked_name
 from ..files.atomic import FileSet
 from ..pictures import scene_of_answer, scene_of_recipe
 from ..pictures.notebook import picture_html
 from ..recipe.model import model_of
 from ..recipe.parts import Parts, read_parts
+from ..recipe.plain import plain
+from ..recipe.structure import pose_faults
 from ..selecting.words import Region, Vector
 from .running import run
 from .session import Result, Session
@@ -37,7 +39,7 @@ _SECTIONS = {
 }
 
 
-def open(*files: str | os.PathLike[str], **keys: Any) -> Morph:  # noqa: A001
+def open_files(*files: str | os.PathLike[str], **keys: Any) -> Morph:
     """Open mesh, deck or CAD files as a morph.
 
     Parameters
@@ -99,8 +101,8 @@ class Morph:
 
         Parameters
         ----------
-        where : selector or sequence of int
-            The region.
+        where : selector, sequence of int, or array (n,) of bool
+            The region, its vertex ids, or a mask of the vertices of its part.
         part : str, optional
             Its part; not needed if there is only one.
         **keys
@@ -114,7 +116,7 @@ class Morph:
         Raises
         ------
         RecipeError
-            If the part is missing.
+            If the part is missing, or if the entry has faults that do not need a search.
         """
         return self._add("fixed", {**self._region(where, part), **keys})
 
@@ -123,8 +125,8 @@ class Morph:
 
         Parameters
         ----------
-        where : selector or sequence of int
-            The region.
+        where : selector, sequence of int, or array (n,) of bool
+            The region, its vertex ids, or a mask of the vertices of its part.
         name : str
             Name of the handle.
         part : str, optional
@@ -140,7 +142,7 @@ class Morph:
         Raises
         ------
         RecipeError
-            If the part is missing.
+            If the part is missing, or if the entry has faults that do not need a search.
         """
         return self._add("handles", {"name": name, **self._region(where, part), **keys})
 
@@ -149,8 +151,8 @@ class Morph:
 
         Parameters
         ----------
-        where : selector or sequence of int
-            The region.
+        where : selector, sequence of int, or array (n,) of bool
+            The region, its vertex ids, or a mask of the vertices of its part.
         part : str, optional
             Its part; not needed if there is only one.
         **keys
@@ -227,11 +229,21 @@ class Morph:
         -------
         Morph
             The same morph.
+
+        Raises
+        ------
+        RecipeError
+            If a value does not have its form, or if no handle has this name.
         """
         if "axis" in keys or "degrees" in keys:
-            keys["rotation"] = {"axis": list(keys.pop("axis")), "degrees": keys.pop("degrees")}
-        shift = {} if translation is None else {"translation": list(translation)}
-        self.recipe.setdefault("pose", {})[handle] = {**shift, **keys}
+            keys["rotation"] = {
+                "axis": keys.pop("axis", None),
+                "degrees": keys.pop("degrees", None),
+            }
+        shift = {} if translation is None else {"translation": translation}
+        entry = plain({**shift, **keys})
+        self._check_motion({handle: entry})
+        self.recipe.setdefault("pose", {})[handle] = entry
         return self
 
     def set(self, **keys: Any) -> Morph:
@@ -320,10 +332,7 @@ class Morph:
         RecipeError, FileError, KernelError, CertificateError, OSError
             As run() raises them; no part is written then.
         """
-        with tempfile.TemporaryDirectory(prefix="sheetmorph-") as place:
-            recipe = Path(place) / "recipe.json"
-            recipe.write_text(json.dumps(self._seen_from(None)), "utf-8")
-            return run(recipe, Path(folder), force=force)
+        return run(self._seen_from(None), Path(folder), force=force)
 
     def _region(self, where: Region, part: str | None) -> dict[str, Any]:
         if part is None and len(self.parts) != 1:
@@ -331,16 +340,28 @@ class Morph:
             todo = f"pass part=, one of {names}"
             raise RecipeError([Fault("part", "there are several parts", todo)])
         is_ids = not isinstance(where, dict) and all(hasattr(v, "__index__") for v in where)
-        key = "vertices" if is_ids else "where"
-        value = list(map(int, cast("Ids", where))) if is_ids else where
-        return {"part": self.parts[0] if part is None else part, key: value}
+        is_mask = isinstance(where, np.ndarray) and where.dtype == np.bool_
+        key = "vertices" if is_ids or is_mask else "where"
+        return {"part": self.parts[0] if part is None else part, key: where}
+
+    def _check_motion(self, pose: dict[str, Any]) -> None:
+        """Raise RecipeError if a pose has not its form, or moves what does not exist."""
+        handles, features = self.recipe.get("handles"), self.recipe.get("features", [])
+        if handles and isinstance(features, list):
+            check_pose(model_of(self.recipe), pose)
+        elif faults := pose_faults(pose):  # more names can follow
+            raise RecipeError(faults)
 
     def _add(self, section: str, entry: dict[str, Any]) -> Morph:
         entries = self.recipe.get(section)
         if entries is not None and not isinstance(entries, list):
             what, todo = f"{section} are found by themselves", f"call find({section}=[]) before"
             raise RecipeError([Fault(section, what, todo)])
-        self.recipe[section] = [*(entries or []), entry]
+        meshes = self._read.meshes
+        grown = {**self.recipe, section: [*(entries or []), plain(entry, meshes)]}
+        if section in ("fixed", "handles"):
+            check_entries(grown, section, meshes)
+        self.recipe[section] = grown[section]
         return self._changed()
 
     def _changed(self) -> Morph:

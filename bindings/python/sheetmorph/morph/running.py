@@ -24,7 +24,7 @@ from ..files.places import Places
 from ..joint_files.following import JointSource, joint_sources
 from ..pictures import Scene, before_and_after, draw
 from ..recipe.parts import Source
-from ..recipe.reading import named_in, read_json
+from ..recipe.reading import given, named_in, read_json
 from ..recipe.steps import with_step
 from ..reporting.cautions import unsettled
 from ..reporting.report import FilesTold, WrittenPart, make_report, shape_faults
@@ -62,7 +62,7 @@ class CertificateError(RuntimeError):
 
 
 def check(
-    recipe_path: str | Path,
+    recipe: str | Path | dict[str, Any],
     *,
     out_dir: str | Path | None = None,
     pose: str | Path | dict[str, Any] | None = None,
@@ -80,8 +80,8 @@ def check(
 
     Parameters
     ----------
-    recipe_path : str or path
-        The recipe file.
+    recipe : str, path or dict
+        The recipe file, or a recipe with paths relative to the working folder.
     out_dir, report : str or path, optional
         Intended outputs of a run; their paths are checked, nothing is written there.
     pose : dict, str or path, optional
@@ -101,11 +101,11 @@ def check(
     RecipeError, FileError, CertificateError, PictureError, OSError
         As run() raises them.
     """
-    path, found = Path(recipe_path), list[str]()
+    found: list[str] = []
     ways = Ways(strict, progress or _keep_going, pictures, step, repair)
     try:
         with tempfile.TemporaryDirectory(prefix="sheetmorph-check-") as scratch:
-            folder, morph = Path(scratch) / "parts", _Morph(path, ways)
+            folder, morph = Path(scratch) / "parts", _Morph(recipe, ways)
             morph.widen(wide)
             read, wanted = morph.pose(pose)
             place = Path(report) if report else None
@@ -113,7 +113,7 @@ def check(
             morph.factorise()
             named = {"": wanted, **({} if pose is not None else morph.recipe.get("poses", {}))}
             for name, one in named.items():
-                with named_in(read[0] if read else path):
+                with named_in(read[0] if read else morph.path):
                     found += _tried(morph, one, folder, f'pose "{name}": ' if name else "")
                 if judge is not None:
                     judge(folder)
@@ -129,14 +129,16 @@ def _tried(morph: _Morph, pose: dict[str, Any] | None, folder: Path, lead: str) 
 
 
 def resolve(
-    recipe_path: str | Path, progress: Progress | None = None, remarks: list[str] | None = None
+    recipe: str | Path | dict[str, Any],
+    progress: Progress | None = None,
+    remarks: list[str] | None = None,
 ) -> dict[str, Any]:
     """Return a recipe with vertex ids in place of its selectors and "auto" entries.
 
     Parameters
     ----------
-    recipe_path : str or path
-        The recipe file.
+    recipe : str, path or dict
+        The recipe file, or a recipe with paths relative to the working folder.
     progress : callable, optional
         progress(fraction, task) returns whether to continue.
     remarks : list of str, optional
@@ -154,10 +156,9 @@ def resolve(
     KernelError
         If the compiled kernel cannot be loaded.
     """
-    path = Path(recipe_path)
-    recipe = read_json(path)
+    data, path = given(recipe)
     with named_in(path):
-        parts = prepare(recipe, path.parent, progress)
+        parts = prepare(data, path.parent, progress)
     if remarks is not None:
         for place, told in parts.resolved.told.items():
             remarks += [f"{place}: {remark}" for remark in told["remarks"]]
@@ -165,7 +166,7 @@ def resolve(
 
 
 def run(
-    recipe_path: str | Path,
+    recipe: str | Path | dict[str, Any],
     out_dir: str | Path,
     pose: str | Path | dict[str, Any] | None = None,
     report: str | Path | None = None,
@@ -179,12 +180,12 @@ def run(
     progress: Progress | None = None,
     force: bool = False,
 ) -> dict[str, Any]:
-    """Deform the parts of a recipe file and write them to a folder.
+    """Deform the parts of a recipe and write them to a folder.
 
     Parameters
     ----------
-    recipe_path : str or path
-        The recipe file.
+    recipe : str, path or dict
+        The recipe file, or a recipe with paths relative to the working folder.
     out_dir : str or path
         Folder for the parts.
     pose : dict, str or path, optional
@@ -220,15 +221,15 @@ def run(
     RecipeError, FileError, KernelError, CertificateError, PictureError, OSError
         No part is written then.
     """
-    path, out = Path(recipe_path), Path(out_dir)
-    morph = _Morph(path, Ways(strict, progress or _keep_going, pictures, step, repair))
+    out = Path(out_dir)
+    morph = _Morph(recipe, Ways(strict, progress or _keep_going, pictures, step, repair))
     morph.widen(wide)
     read, wanted = morph.pose(pose)
     places = morph.places(read, out, None if report is None else Path(report))
     files = files or FileSet(force=force)
     places.require_ours(files)
     morph.factorise()
-    with named_in(read[0] if read else path):
+    with named_in(read[0] if read else morph.path):
         return morph.write(wanted, places, files)
 
 
@@ -244,16 +245,16 @@ class Ways:
 
 
 class _Morph:
-    """A recipe file on its way to written parts; the common work of run() and check()."""
+    """A recipe on its way to written parts; the common work of run() and check()."""
 
-    def __init__(self, path: Path, ways: Ways):
-        self.recipe = read_json(path)
-        self._path, self._ways = path, ways
+    def __init__(self, recipe: str | Path | dict[str, Any], ways: Ways):
+        self.recipe, self.path = given(recipe)
+        self._ways = ways
         begin = time.perf_counter()
-        with named_in(path):
+        with named_in(self.path):
             self.recipe = with_step(self.recipe) if ways.step else self.recipe
-            self._parts = prepare(self.recipe, path.parent, ways.progress)
-            self._joints = joint_sources(self._parts, path.parent)
+            self._parts = prepare(self.recipe, self.path.parent, ways.progress)
+            self._joints = joint_sources(self._parts, self.path.parent)
         self._timings = {"read": time.perf_counter() - begin}
 
     def widen(self, is_wide: bool) -> None:
@@ -270,7 +271,7 @@ class _Morph:
         found = _named_pose(self.recipe, pose)
         if found is None or isinstance(found, dict):
             return [], found
-        with named_in(self._path):
+        with named_in(self.path):
             return [Path(found)], read_json(found)
 
     def places(self, read: list[Path], out: Path, report: Path | None) -> Places:
@@ -281,14 +282,14 @@ class _Morph:
         targets += [place for joints in self._joints for place in joints.targets(out)]
         read = [*read, *(joints.file.path for joints in self._joints)]
         sourced = [path for source in sources for path in source.file.files_read]
-        places = Places([self._path, *read, *sourced], out, targets, report)
-        with named_in(self._path):
+        places = Places([self.path, *read, *sourced], out, targets, report)
+        with named_in(self.path):
             places.check()
         return places
 
     def factorise(self) -> None:
         """Run the pre-processing phase."""
-        with named_in(self._path):
+        with named_in(self.path):
             ids = self._parts.resolved
             self._session = Session(
                 ids.recipe, self._parts.meshes, self._ways.progress, found=self._parts.found,
@@ -323,7 +324,7 @@ class _Morph:
     def _repaired(self, result: Result) -> Result:
         """Return the result with repaired deck elements, if options or recipe request it."""
         asked = self._ways.repair or self.recipe.get("repair")
-        criteria = criteria_of(asked, self._path.parent)
+        criteria = criteria_of(asked, self.path.parent)
         if criteria is None:
             return result
         self._ways.progress(0.96, "repairing elements")

@@ -14,6 +14,7 @@ from ..base.progress import Progress
 from ..checking import check_pose
 from ..pictures import scene_of_answer
 from ..pictures.notebook import picture_html
+from ..recipe.plain import plain_pose
 from ..recipe.pose import Pose
 from ..reporting.report import make_report, warnings_in
 from ..solving.answer import Answer
@@ -106,7 +107,8 @@ class Session(Preprocessed):
     Parameters
     ----------
     recipe : dict
-        As in a recipe file; parts need no "file".
+        As in a recipe file; parts need no "file". Arrays and tuples may stand for lists, and a mask
+        (n,) of bool for the ids of vertices.
     meshes : mapping
         Part name to PartMesh.
     progress : callable, optional
@@ -157,7 +159,7 @@ class Session(Preprocessed):
         RecipeError
             If the pose has faults.
         """
-        wanted = self._recipe_pose if pose is None else pose
+        wanted = self._recipe_pose if pose is None else plain_pose(pose)
         moved = check_pose(self._model, wanted)
         with kernel_faults(self._core):
             deformed = self._kernel.deform(self._translator.pose(moved), exact, progress)
@@ -183,7 +185,7 @@ class Session(Preprocessed):
         RecipeError
             If a name does not belong to a handle.
         """
-        wanted = self._recipe_pose if pose is None else pose
+        wanted = self._recipe_pose if pose is None else plain_pose(pose)
         start = self._translator.pose(check_pose(self._model, wanted))
         with kernel_faults(self._core):
             return Drag(self, self._kernel.begin_drag(handles, start))
@@ -208,9 +210,10 @@ class Session(Preprocessed):
         RecipeError
             If the pose has faults.
         """
-        moved = check_pose(self._model, pose)
+        wanted = plain_pose(pose)
+        moved = check_pose(self._model, wanted)
         with kernel_faults(self._core):
-            return self._result(kernel_drag.frame(self._translator.pose(moved)), pose)
+            return self._result(kernel_drag.frame(self._translator.pose(moved)), wanted)
 
     def _result(self, deformed: _core.Deformed, wanted: Pose) -> Result:
         return Result(

@@ -42,6 +42,17 @@ def read_json(path: str | Path) -> Any:
         raise _error(path, f"not JSON that can be used: {error}", "simplify it") from None
 
 
+def given(data: str | Path | dict[str, Any], name: str = "recipe") -> tuple[Any, Path]:
+    """Return the content of a file, or data in memory, with the path that names it in messages.
+
+    The folder of the path is the base of relative paths: for data in memory the working folder.
+    Raises RecipeError.
+    """
+    if isinstance(data, dict):
+        return data, Path(f"<{name}>")
+    return read_json(data), Path(data)
+
+
 @contextmanager
 def named_in(path: Path) -> Iterator[None]:
     """Add the path of the recipe, line and column to the faults raised inside."""

@@ -24,6 +24,7 @@ from ..measuring.strain import EdgeChanges
 from ..measuring.tears import Cuts
 from ..recipe.found import Found
 from ..recipe.model import Model, RegionEntry
+from ..recipe.plain import plain_pose
 from .results import ContactResult, FeatureResult
 from .translation import Translator, kernel_faults
 
@@ -78,7 +79,7 @@ class Preprocessed:
         model = check_with_meshes(recipe, meshes, found)
         if told is not None:
             model = replace(model, told=dict(told))
-        self._recipe_pose = dict(recipe.get("pose", {}))
+        self._recipe_pose = plain_pose(dict(recipe.get("pose", {})))
         self._model = model
         self.meshes = {part.name: meshes[part.name] for part in model.parts}
         self._core = load_kernel()

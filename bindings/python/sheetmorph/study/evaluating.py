@@ -36,8 +36,8 @@ class Evaluator:
 
     Parameters
     ----------
-    study : str or path
-        The study file.
+    study : str, path or dict
+        The study file, or a study with paths relative to the working folder.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class Evaluator:
     RecipeError, FileError, KernelError
     """
 
-    def __init__(self, study: str | Path):
+    def __init__(self, study: str | Path | dict[str, Any]):
         self._plan = Plan(study)
         self._shop = Workshop(self._plan)
         self._last: tuple[Values, Result] | None = None

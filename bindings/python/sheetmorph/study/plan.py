@@ -37,8 +37,9 @@ class Plan:
     samples has the parameter values of every variant, in the order of the runs.
     """
 
-    def __init__(self, path: str | Path, progress: Progress | None = None):
-        self.study: Study = read_study(path)
+    def __init__(self, study: str | Path | dict[str, Any], progress: Progress | None = None):
+        self._is_in_memory = isinstance(study, dict)
+        self.study: Study = read_study(study)
         self.recipe: Any = read_json(self.study.recipe)
         if isinstance(self.recipe, dict) and self.recipe.get("repair"):
             what = "a study does not repair elements"
@@ -59,7 +60,8 @@ class Plan:
     def files_read(self) -> list[Path]:
         """The study, its recipe and the files of its parts."""
         parts = (path for source in self.parts.sources for path in source.file.files_read)
-        return [self.study.path, self.study.recipe, *parts]
+        own = [] if self._is_in_memory else [self.study.path]
+        return [*own, self.study.recipe, *parts]
 
     @property
     def columns(self) -> list[str]:

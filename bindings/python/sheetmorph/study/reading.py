@@ -11,7 +11,7 @@ from typing import Any
 from ..base.errors import Fault, RecipeError
 from ..base.packaged import packaged_json
 from ..certifying import Criteria, read_criteria, shipped
-from ..recipe.reading import named_in, read_json
+from ..recipe.reading import given, named_in
 from ..recipe.structure import faults_against
 from ..recipe.values import depth_faults
 from .expressions import Expression
@@ -100,10 +100,9 @@ def study_schema() -> dict[str, Any]:
     return packaged_json(__package__, "study.schema.json")
 
 
-def read_study(path: str | Path) -> Study:
-    """Read a study file. Raises RecipeError with all faults of its form."""
-    place = Path(path)
-    data = read_json(place)
+def read_study(study: str | Path | dict[str, Any]) -> Study:
+    """Read a study, from its file or in memory. Raises RecipeError with all faults of its form."""
+    data, place = given(study, "study")
     with named_in(place):
         return _study(place, data)
 
