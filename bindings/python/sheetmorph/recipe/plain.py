@@ -67,5 +67,5 @@ class _Plain:
         if len(mask) != len(mesh.points):
             what = f"the mask has {len(mask)} entries, but the part has {len(mesh.points)} vertices"
             raise RecipeError([Fault(where, what, "give an entry for each vertex")])
-        rows = np.flatnonzero(mask)
-        return rows.tolist() if is_prepared else mesh.file_ids(rows)
+        rows: list[int] = np.flatnonzero(mask).tolist()
+        return rows if is_prepared else mesh.file_ids(rows)
