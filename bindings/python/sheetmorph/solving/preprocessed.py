@@ -17,8 +17,8 @@ from ..base.kernel import load_kernel
 from ..base.part_mesh import PartMesh
 from ..base.progress import Progress
 from ..checking import check_pose, check_with_meshes
-from ..measuring.gaps import ContactGap, Surface
 from ..measuring.crossings import crossings
+from ..measuring.gaps import ContactGap, Surface
 from ..measuring.rigidity import feature_edges
 from ..measuring.strain import EdgeChanges
 from ..measuring.tears import Cuts

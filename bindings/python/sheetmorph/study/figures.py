@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 
 from ..base.arrays import Floats
+from ..measuring.distance import touching
 from ..reporting.report import part_report, rigidity
 from ..reporting.thin_solids import crossed_anew
 from ..solving.answer import Answer
-from ..measuring.distance import touching
 
 # For these the worst value is the smallest; for all others it is the largest.
 _SMALLEST = {"angle"}

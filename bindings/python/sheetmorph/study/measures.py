@@ -14,9 +14,9 @@ from ..base.arrays import Floats, Ints
 from ..base.errors import Fault, RecipeError
 from ..base.kernel import load_kernel
 from ..base.part_mesh import PartMesh
+from ..measuring.distance import Gap
 from ..recipe.model import Model
 from .expressions import Expression
-from ..measuring.distance import Gap
 from .reading import Study
 from .spots import spot_of
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .model import Elements, NamedSet, Raw
-from .radioss_submodels import Shift
+from ..model import Elements, NamedSet, Raw
+from .submodels import Shift
 
 # The ids that a group of each kind lists.
 _NODES, _RANGES, _PARTS, _GROUPS = ("NODE", "NODENS"), "GENE", "PART", "GRNOD"

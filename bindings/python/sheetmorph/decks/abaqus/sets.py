@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ..base.arrays import Ints
-from .abaqus_lines import AbaqusLines, Keyword
-from .model import NamedSet, Raw
-from .numbers import parse_integer
+from ...base.arrays import Ints
+from ..model import NamedSet, Raw
+from ..numbers import parse_integer
+from .lines import AbaqusLines, Keyword
 
 _MOST = 10**7
 # By part number: the blocks of its elements, and the shift of its ids.

@@ -8,11 +8,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from .model import Elements, Raw
-from .nastran_cards import Card
-from .nastran_points import Points
-from .nastran_table import CARDS, CORNERS, ELEMENTS, WELD_POINTS
-from .numbers import parse_integer
+from ..model import Elements, Raw
+from ..numbers import parse_integer
+from .cards import Card
+from .points import Points
+from .table import CARDS, CORNERS, ELEMENTS, WELD_POINTS
 
 _ENDS = ("ALPHA", "UM")
 

@@ -8,17 +8,17 @@ from pathlib import Path
 
 import numpy as np
 
-from ..base.arrays import Bools, Ints
-from ..base.words import counted
-from .cut import Cut, small
-from .deck import Deck
-from .includes import Included
-from .model import Elements, Opener, Place, Raw
-from .numbers import parse_integer, parse_real
-from .placing import note_placing
-from .radioss_groups import Groups
-from .radioss_submodels import Shift, Submodels, shifted
-from .radioss_table import ALIASES, BLOCKS, ELEMENTS, Field, field, texts
+from ...base.arrays import Bools, Ints
+from ...base.words import counted
+from ..cut import Cut, small
+from ..deck import Deck
+from ..includes import Included
+from ..model import Elements, Opener, Place, Raw
+from ..numbers import parse_integer, parse_real
+from ..placing import note_placing
+from .groups import Groups
+from .submodels import Shift, Submodels, shifted
+from .table import ALIASES, BLOCKS, ELEMENTS, Field, field, texts
 
 SUFFIXES = (".rad",)
 _STALE = {

@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from .model import Place
-from .nastran_cards import Card
+from ..model import Place
+from .cards import Card
 
 _SYSTEM = "a coordinate system by coordinates stays where it is"
 STALE = {

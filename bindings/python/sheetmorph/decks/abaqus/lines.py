@@ -9,10 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..base.arrays import Ints
-from ..base.blocks import chunks
-from .model import Raw
-from .numbers import parse_integer, parse_real
+from ...base.arrays import Ints
+from ...base.blocks import chunks
+from ..model import Raw
+from ..numbers import parse_integer, parse_real
 
 
 @dataclass(frozen=True)

@@ -9,23 +9,23 @@ from pathlib import Path
 
 import numpy as np
 
-from ..base.arrays import Bools, Ints
-from ..base.blocks import chunks
-from .cut import side_by_side, small
-from .deck import Deck
-from .frames import Frame
-from .includes import Included
-from .model import FIXED, Block, Elements, Opener, Raw
-from .nastran_cards import Card, Lines, cards, sorted_lines
-from .nastran_elements import add_weld_points, elements_of
-from .nastran_points import Points
-from .nastran_sets import card_sets, comment_names, control_sets
-from .nastran_stale import STALE, stale_of
-from .nastran_table import CARDS, ELEMENTS, GRID, place_of
-from .numbers import parse_integer, parse_integers, parse_real, parse_reals
-from .placing import NASTRAN as PLACING
-from .placing import note_placing
-from .text import DeckText
+from ...base.arrays import Bools, Ints
+from ...base.blocks import chunks
+from ..cut import side_by_side, small
+from ..deck import Deck
+from ..frames import Frame
+from ..includes import Included
+from ..model import FIXED, Block, Elements, Opener, Raw
+from ..numbers import parse_integer, parse_integers, parse_real, parse_reals
+from ..placing import NASTRAN as PLACING
+from ..placing import note_placing
+from ..text import DeckText
+from .cards import Card, Lines, cards, sorted_lines
+from .elements import add_weld_points, elements_of
+from .points import Points
+from .sets import card_sets, comment_names, control_sets
+from .stale import STALE, stale_of
+from .table import CARDS, ELEMENTS, GRID, place_of
 
 SUFFIXES = (".nas", ".bdf", ".dat", ".fem", ".blk", ".bulk", ".pch")
 # Shells on one line, with their number of nodes.

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from .dyna_cards import DynaCards, Section
-from .model import Place
-from .numbers import parse_integer
+from ..model import Place
+from ..numbers import parse_integer
+from .cards import DynaCards, Section
 
 _REASONS = {
     "INITIAL_STRESS": "an initial stress of the shape before",

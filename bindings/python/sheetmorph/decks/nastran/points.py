@@ -7,9 +7,9 @@ from collections import defaultdict
 
 import numpy as np
 
-from .model import FIXED, FREE, PADDED, Block, Raw
-from .nastran_cards import Card, Field
-from .numbers import parse_real
+from ..model import FIXED, FREE, PADDED, Block, Raw
+from ..numbers import parse_real
+from .cards import Card, Field
 
 
 # Line, node, system, values, and begins, widths, leads of the three fields.

@@ -11,17 +11,17 @@ from pathlib import Path
 
 import numpy as np
 
-from .cut import Cut
-from .deck import Deck
-from .dyna_cards import DynaCards, Section
-from .dyna_elements import ELEMENTS, add_elements
-from .dyna_joints import JOINTS, Joints
-from .dyna_stale import stale_of
-from .dyna_table import CARDS, LONG, NODE, STANDARD, TEN, Widths
-from .includes import Included
-from .model import FREE, WORD, Block, Opener, Raw
-from .numbers import parse_integer, parse_real
-from .placing import note_placing, remember_placing
+from ..cut import Cut
+from ..deck import Deck
+from ..includes import Included
+from ..model import FREE, WORD, Block, Opener, Raw
+from ..numbers import parse_integer, parse_real
+from ..placing import note_placing, remember_placing
+from .cards import DynaCards, Section
+from .elements import ELEMENTS, add_elements
+from .joints import JOINTS, Joints
+from .stale import stale_of
+from .table import CARDS, LONG, NODE, STANDARD, TEN, Widths
 
 SUFFIXES = (".k", ".key", ".dyn", ".keyword")
 # Keywords in the form of nodes, and whether they define nodes of the model.

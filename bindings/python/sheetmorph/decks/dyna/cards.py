@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..base.arrays import Bools, Ints
-from .model import Raw
+from ...base.arrays import Bools, Ints
+from ..model import Raw
 
 _HEAD = re.compile(r"\*\s*([A-Za-z0-9_\-]*[A-Za-z0-9_])\s*([%+\-]?)(.*)", re.DOTALL)
 

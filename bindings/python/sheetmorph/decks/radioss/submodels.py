@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..base.arrays import Ints
-from .model import Raw
-from .numbers import parse_integer
-from .placing import remember_placing
-from .radioss_table import field, texts
-from .text import DeckText
+from ...base.arrays import Ints
+from ..model import Raw
+from ..numbers import parse_integer
+from ..placing import remember_placing
+from ..text import DeckText
+from .table import field, texts
 
 _OLDEST = 51
 

@@ -10,15 +10,15 @@ from typing import Any
 
 import numpy as np
 
-from ..base.arrays import Array, Floats, Ints
-from ..base.blocks import CHUNK, chunks
-from .commas import integers, reals, words
-from .cut import small
-from .deck import Deck
-from .gmsh_names import PhysicalGroups
-from .includes import Included
-from .model import BINARY, WORD, Block, Elements, Opener, Place, Raw
-from .numbers import LARGEST
+from ...base.arrays import Array, Floats, Ints
+from ...base.blocks import CHUNK, chunks
+from ..commas import integers, reals, words
+from ..cut import small
+from ..deck import Deck
+from ..includes import Included
+from ..model import BINARY, WORD, Block, Elements, Opener, Place, Raw
+from ..numbers import LARGEST
+from .names import PhysicalGroups
 
 SUFFIXES = (".msh",)
 _ROOM = 24

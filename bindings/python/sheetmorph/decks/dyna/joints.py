@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from .dyna_cards import DynaCards, Section
-from .dyna_table import CARDS, Field
-from .model import Elements, NamedSet, Raw
-from .numbers import parse_integer, parse_real
+from ..model import Elements, NamedSet, Raw
+from ..numbers import parse_integer, parse_real
+from .cards import DynaCards, Section
+from .table import CARDS, Field
 
 JOINTS = (
     "CONSTRAINED_SPOTWELD", "CONSTRAINED_RIVET", "CONSTRAINED_NODAL_RIGID_BODY",

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..base.arrays import Ints
-from .cut import Cut, small
-from .dyna_cards import DynaCards, Section
-from .dyna_table import ELEMENTS as KINDS
-from .dyna_table import SHARED, SOLID_NODES, Element
-from .model import Elements
-from .numbers import parse_integer
+from ...base.arrays import Ints
+from ..cut import Cut, small
+from ..model import Elements
+from ..numbers import parse_integer
+from .cards import DynaCards, Section
+from .table import ELEMENTS as KINDS
+from .table import SHARED, SOLID_NODES, Element
 
 ELEMENTS = (
     "ELEMENT_SHELL", "ELEMENT_SOLID", "ELEMENT_TSHELL", "ELEMENT_BEAM", "ELEMENT_MASS",

@@ -8,20 +8,20 @@ from pathlib import Path
 
 import numpy as np
 
-from ..base.arrays import Bools, Floats, Ints
-from ..base.blocks import chunks
-from ..base.errors import FileError
-from .abaqus_joints import Sets, add_joint
-from .abaqus_lines import AbaqusLines, Keyword
-from .abaqus_sets import NamedSets
-from .abaqus_table import FIELDS, SECTIONS, element_type
-from .commas import comma_nodes, comma_places, integers
-from .cut import small
-from .deck import Deck
-from .frames import Frame
-from .includes import Included
-from .model import Elements, Opener, Place, Raw
-from .placing import note_placing
+from ...base.arrays import Bools, Floats, Ints
+from ...base.blocks import chunks
+from ...base.errors import FileError
+from ..commas import comma_nodes, comma_places, integers
+from ..cut import small
+from ..deck import Deck
+from ..frames import Frame
+from ..includes import Included
+from ..model import Elements, Opener, Place, Raw
+from ..placing import note_placing
+from .joints import Sets, add_joint
+from .lines import AbaqusLines, Keyword
+from .sets import NamedSets
+from .table import FIELDS, SECTIONS, element_type
 
 SUFFIXES = (".inp",)
 # CalculiX reads at most this number of characters.

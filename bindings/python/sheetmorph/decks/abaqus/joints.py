@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..base.arrays import Ints
-from .abaqus_lines import AbaqusLines, Keyword
-from .abaqus_sets import members_of
-from .abaqus_table import FIELDS
-from .model import Elements, Raw
-from .numbers import parse_integer
+from ...base.arrays import Ints
+from ..model import Elements, Raw
+from ..numbers import parse_integer
+from .lines import AbaqusLines, Keyword
+from .sets import members_of
+from .table import FIELDS
 
 
 # Multi-point constraints that keep the distance between two nodes.

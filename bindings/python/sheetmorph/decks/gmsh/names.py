@@ -8,8 +8,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..base.arrays import Ints
-from .model import NamedSet, Raw
+from ...base.arrays import Ints
+from ..model import NamedSet, Raw
 
 _DIMENSIONS = {"mass": 0, "line": 1, "shell": 2, "solid": 3}
 _NAME = re.compile(rb'^\s*([0-3])\s+(\d+)\s+"([^"\n]*)"', re.MULTILINE)

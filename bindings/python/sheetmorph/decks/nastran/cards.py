@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..base.arrays import Bools, Ints
-from ..base.blocks import chunks
-from .numbers import parse_integer, parse_real
-from .text import DeckText
+from ...base.arrays import Bools, Ints
+from ...base.blocks import chunks
+from ..numbers import parse_integer, parse_real
+from ..text import DeckText
 
 
 class Field(NamedTuple):

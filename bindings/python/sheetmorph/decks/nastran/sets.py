@@ -6,10 +6,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from .model import NamedSet
-from .nastran_cards import Card
-from .nastran_table import CARDS
-from .text import DeckText
+from ..model import NamedSet
+from ..text import DeckText
+from .cards import Card
+from .table import CARDS
 
 _SET = re.compile(r"^\s*SET\s+(\d+)\s*=\s*(.*)$", re.IGNORECASE)
 _LARGEST = 100_000_000
