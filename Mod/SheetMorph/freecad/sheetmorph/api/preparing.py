@@ -98,7 +98,7 @@ def preparation(part, **cures):
 
 
 def wanted_of(cures: dict):
-    """Return the cures as a sheetmorph.prepared_mesh.Wanted, or raise ValueError."""
+    """Return the cures as a sheetmorph.files.prepared_mesh.Wanted, or raise ValueError."""
     module = prepared_module()
     unknown = sorted(set(cures) - {"weld", "edge", "rims", "scale"})
     if unknown:
