@@ -2,6 +2,7 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/rigid_motion.h"
 #include "sheetmorph/base/rotation.h"
+#include "sheetmorph/base/threads/freed_memory.h"
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
 #include "arrays.h"
 #include "faults.h"
@@ -94,6 +95,9 @@ void bind_base(py::module_& module)
     module.attr("__version__") = SHEETMORPH_VERSION;
     module.attr("KERNEL_API") = kernel_api;
     module.def("abi_info", &abi_info, "What the kernel was built with, for reports.");
+    module.def("return_freed_memory", &return_freed_memory,
+               py::call_guard<py::gil_scoped_release>(),
+               "Returns freed memory to the system. glibc would keep it.");
     bind_errors(module);
     bind_rigid_motion(module);
     module.def(

@@ -11,6 +11,11 @@ namespace sheetmorph
 
 //! The threads behind parallel.h, which sleep until there is something to do. Whoever waits, waits
 //! for items that others have begun of a job of his own: jobs within jobs never wait in a circle.
+//!
+//! oneTBB 2021.8 in place of this pool (measured in 2026 on two cores): live frames of 1,000 to
+//! 100,000 vertices equally fast, those of control meshes with 10 % more processor time, results
+//! the same bits. But a forked process, as Python's multiprocessing starts it, waits for ever for
+//! threads that it does not have, and a thread that waits cannot look for Ctrl-C.
 class ThreadPool
 {
 public:

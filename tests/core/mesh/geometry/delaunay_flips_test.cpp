@@ -98,7 +98,9 @@ TEST(DelaunayFlips, KeepAFlatSheetFlatAndItsLinearFunctionsHarmonic)
     {
         const double x = mesh.points()(i, 0) - 3.0 * mesh.points()(i, 1), y = mesh.points()(i, 1);
         if (x > 1.0 && x < 59.0 && y > 1.0 && y < 39.0)
+        {
             EXPECT_LT(flow.row(i).norm(), 1e-9);
+        }
     }
     for (int f = 0; f < faces.count(); ++f)
         for (int k = 0; k < 3; ++k)

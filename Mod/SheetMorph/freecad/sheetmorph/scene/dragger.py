@@ -7,7 +7,7 @@ from pivy import coin
 
 from freecad.sheetmorph import generations
 from freecad.sheetmorph.scene.hanging import Hanging
-from freecad.sheetmorph.scene.relay import Relay
+from freecad.sheetmorph.scene.relay import Relay, Watch
 from freecad.sheetmorph.scene.viewport import camera_node, mm_per_px
 
 SIZE = 8.0  # px: unit size of the dragger, whose arrows are ten times as long
@@ -42,10 +42,7 @@ class Dragger:
         self._root.addChild(self._pivot)
         self._root.addChild(self._dragger)
         self._hanging = Hanging(view.getSceneGraph(), self._root)
-        self._camera = camera_node(view)
-        self._resized = Relay(self.resize)
-        self._sensor = coin.SoNodeSensor(self._resized, None)
-        self._sensor.attach(self._camera)
+        self._watch = Watch(coin.SoNodeSensor, camera_node(view), self.resize)
         self._callbacks = {
             "addStartCallback": Relay(self._grabbed),
             "addMotionCallback": Relay(self._moved),
@@ -76,14 +73,14 @@ class Dragger:
 
     def remove(self) -> None:
         """Remove the dragger; the view may be closed already."""
-        self._sensor.detach()
+        self._watch.end()
         self._hanging.remove()
         try:
             for kind, function in self._callbacks.items():
                 self._view.removeDraggerCallback(self._dragger, kind, function)
         except RuntimeError:  # the view is closed
             pass
-        for relay in (self._resized, *self._callbacks.values()):
+        for relay in self._callbacks.values():
             relay.let_go()
 
     def _set_steps(self) -> None:
@@ -110,7 +107,7 @@ class Dragger:
         self._is_silent = False
         self._listener.on_release()
 
-    def resize(self, *_) -> None:
+    def resize(self) -> None:
         """Give the dragger the same size in px at every zoom.
 
         FreeCAD's own method is not available in Python.

@@ -10,7 +10,7 @@ from pivy import coin
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.scene import colours, nodes
 from freecad.sheetmorph.scene.hanging import Hanging
-from freecad.sheetmorph.scene.relay import Relay
+from freecad.sheetmorph.scene.relay import Watch
 from freecad.sheetmorph.scene.viewport import camera_node, camera_of
 from freecad.sheetmorph.tools.spreading import spread
 
@@ -37,9 +37,7 @@ class HandleMarks(QtCore.QObject):
         for node in (self._lines, self._leaders, self._points, self._marks):
             root.addChild(node)
         self._hanging = Hanging(view.getSceneGraph(), root)
-        self._follow = Relay(self._draw)
-        self._sensor = coin.SoNodeSensor(self._follow, None)
-        self._sensor.attach(camera_node(view))
+        self._watch = Watch(coin.SoNodeSensor, camera_node(view), self._draw)
         self._widget = view.graphicsView().viewport()
         self._widget.installEventFilter(self)
 
@@ -51,8 +49,7 @@ class HandleMarks(QtCore.QObject):
 
     def remove(self) -> None:
         """Remove the marks; the view may be closed already."""
-        self._sensor.detach()
-        self._follow.let_go()
+        self._watch.end()
         self._hanging.remove()
         try:
             self._widget.removeEventFilter(self)
@@ -89,7 +86,7 @@ class HandleMarks(QtCore.QObject):
         nearest = int(away.argmin())
         return nearest if away[nearest] <= 0.5 * LEAST else None
 
-    def _draw(self, *_) -> None:
+    def _draw(self) -> None:
         try:
             camera = camera_of(self._view)
         except (RuntimeError, AttributeError):

@@ -4,7 +4,7 @@
 from pivy import coin
 
 from freecad.sheetmorph.scene.hanging import Hanging
-from freecad.sheetmorph.scene.relay import Relay
+from freecad.sheetmorph.scene.relay import Watch
 
 
 class InPlace:
@@ -33,7 +33,7 @@ class InPlace:
         self._hanging.remove()
         self._shown.removeAllChildren()
 
-    def _follow(self, *_) -> None:
+    def _follow(self) -> None:
         is_shown = any(each.is_on for each in self._hidden)
         self._shown.whichChild = coin.SO_SWITCH_ALL if is_shown else coin.SO_SWITCH_NONE
 
@@ -46,9 +46,7 @@ class _Hidden:
         self._unseen = coin.SoSwitch()  # a new switch is off
         self._root.replaceChild(self._drawn, self._unseen)
         self._unseen.addChild(self._drawn)
-        self._relay = Relay(on_change)  # Coin never releases a callback
-        self._sensor = coin.SoFieldSensor(self._relay, None)
-        self._sensor.attach(self._drawn.whichChild)
+        self._watch = Watch(coin.SoFieldSensor, self._drawn.whichChild, on_change)
 
     @property
     def is_on(self) -> bool:
@@ -57,8 +55,6 @@ class _Hidden:
 
     def remove(self) -> None:
         """Draw the object again."""
-        self._sensor.detach()
-        self._sensor = None  # it refers to its owner, and both would keep the drawing alive
-        self._relay.let_go()
+        self._watch.end()
         if self._root.findChild(self._unseen) >= 0:
             self._root.replaceChild(self._unseen, self._drawn)
