@@ -19,7 +19,7 @@ def graph_of(folder, sources):
 
 def test_the_package_imports_in_no_circle():
     graph = import_graph(PACKAGE, "sheetmorph")
-    assert len(graph) > 50 and graph["session"]
+    assert len(graph) > 50 and graph["morph.session"]
     assert circles(graph) == []
 
 

@@ -50,7 +50,7 @@ def test_the_manifest_has_the_version_number_of_the_newest_release():
 
 
 def test_the_package_has_the_version_number_of_the_manifest():
-    text = (ROOT / "bindings" / "python" / "sheetmorph" / "__init__.py").read_text()
+    text = (ROOT / "bindings" / "python" / "sheetmorph" / "base" / "version.py").read_text()
     assert f'\n__version__ = "{manifest().findtext("version")}"\n' in text
 
 

@@ -76,8 +76,8 @@ def timed(name: str) -> Times:
     Frames are those of a drag whose background work is done.
     """
     from sheetmorph import Session
-    from sheetmorph.recipe import check_pose
-    from sheetmorph.translation import Translator
+    from sheetmorph.checking import check_pose
+    from sheetmorph.solving.translation import Translator
 
     recipe, meshes = load(name)
     session = Session(recipe, meshes)

@@ -39,7 +39,7 @@ def test_a_recipe_that_makes_a_mesh_of_a_deck_warns(case: Callable[[str], Path])
 
 
 def test_flatten_and_init_name_the_unit_of_a_deck_in_metres(case: Callable[[str], Path]) -> None:
-    from sheetmorph.doctor import diagnose_files
+    from sheetmorph.starting.doctor import diagnose_files
 
     folder = case("04")
     ended = sheetmorph("flatten", "rolled_in_metres.inp", folder=folder)

@@ -27,7 +27,7 @@ def test_common_nodes_stay_together_whatever_the_recipe_says_of_contacts(
     case: Callable[[str], Path], contacts: object
 ) -> None:
     from sheetmorph import Session
-    from sheetmorph.recipe import prepare, with_ids
+    from sheetmorph.checking import prepare, with_ids
 
     folder = case("09")
     recipe = {

@@ -190,7 +190,7 @@ def test_a_preview_that_takes_long_is_cancelled():
 
 def test_every_unit_that_the_doctor_knows_is_offered():
     """The right one is proposed where it is certain; the user may choose another one."""
-    from sheetmorph.file_unit import UNITS
+    from sheetmorph.base.file_unit import UNITS
 
     yield from coarse_plate()
     offered = [child("unit").itemText(k) for k in range(child("unit").count())]

@@ -14,7 +14,7 @@ import pytest
 from plates import plate, recipe_of, save_recipe, write_plate
 from sheetmorph import PartMesh, RecipeError, Session, read_part, run, validate
 from sheetmorph.cli import main
-from sheetmorph.report import report_schema
+from sheetmorph.reporting.report import report_schema
 
 PART = plate(holes=2)
 # The second plate lies 1 mm above the first one's right end; ids of vertices on both.

@@ -10,7 +10,7 @@ import jsonschema
 import pytest
 
 import sheetmorph
-from sheetmorph.report import report_schema
+from sheetmorph.reporting.report import report_schema
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "resources/examples"
 

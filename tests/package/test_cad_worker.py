@@ -21,7 +21,7 @@ import sheetmorph
 from cad_samples import make_cad_samples
 from sheetmorph import FileError, cad, read_part
 from sheetmorph.cad import worker
-from sheetmorph.errors import KernelError
+from sheetmorph.base.errors import KernelError
 from sheetmorph.files.cad_writing import CadWriting, write_model
 from sheetmorph.recipe.model import model_of
 from sheetmorph.recipe.parts import read_parts

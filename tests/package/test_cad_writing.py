@@ -20,7 +20,7 @@ import sheetmorph
 from cad_samples import make_cad_samples
 from sheetmorph import CertificateError, RecipeError, read_part, run
 from sheetmorph.cli import main
-from sheetmorph.report import report_schema
+from sheetmorph.reporting.report import report_schema
 
 MESH = {"edge": 5.0, "deflection": 0.1, "angle": 20}
 
@@ -249,7 +249,7 @@ def test_ctrl_c_while_a_shape_is_carried_leaves_no_file(folder: Path):
     recipe = lifted(folder, "plate.brep", write="step")
     before = set(folder.iterdir())
     script = (
-        "import sys, time, sheetmorph.cli_progress as told\n"
+        "import sys, time, sheetmorph.cli.progress as told\n"
         "from sheetmorph.cli import main\n"
         "def tell(self, fraction, task):\n"
         "    if task.startswith('carrying'):\n"

@@ -368,7 +368,7 @@ def test_radioss_columns_are_those_that_comments_of_real_decks_name():
     """Pre-processors write the name of every field above its columns."""
     if not REAL.is_dir():
         pytest.skip("the decks of ../shared/data are not on this machine")
-    from sheetmorph.decks.radioss_table import field
+    from sheetmorph.decks.radioss.table import field
 
     seen = 0
     for path in sorted(REAL.glob("*.rad")):

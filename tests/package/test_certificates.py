@@ -12,9 +12,9 @@ import pytest
 from deck_samples import RADIOSS
 from sheetmorph import read_part
 from sheetmorph.certifying import NotCertified, Targets, certify, read_criteria, shipped
-from sheetmorph.certifying.quality import MEASURES, areas, measured, step_length
+from sheetmorph.measuring.quality import MEASURES, areas, measured, step_length
 from sheetmorph.cli import main
-from sheetmorph.errors import FileError
+from sheetmorph.base.errors import FileError
 
 CLEAR = Path(__file__).parents[2] / "bindings" / "python" / "sheetmorph"
 RING = 16
@@ -105,7 +105,8 @@ def test_a_run_is_certified_with_its_hole_round(folder: Path, capsys):
     assert main(["run", *arguments, "--criteria", "static"]) == 0
     assert "certified by static" in capsys.readouterr().out
     found = json.loads((folder / "out" / "certificate.json").read_text())
-    jsonschema.validate(found, json.loads((CLEAR / "certificate.schema.json").read_text()))
+    schema = (CLEAR / "certifying" / "certificate.schema.json").read_text()
+    jsonschema.validate(found, json.loads(schema))
     (hole,) = found["features"]
     (rim,) = hole["rims"]
     assert rim["diameter_before"] == pytest.approx(20.0, abs=1e-6)

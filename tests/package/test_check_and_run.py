@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 import sheetmorph
 from plates import plate
 from sheetmorph.cli import main, parser
-from sheetmorph.recipe import read_json
+from sheetmorph.recipe.reading import read_json
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "resources/examples"
 # `SHEETMORPH_DRAWN=200` draws so many.

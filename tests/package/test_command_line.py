@@ -21,7 +21,7 @@ from plates import plate, save_recipe
 import sheetmorph
 from sheetmorph import Result, Session
 from sheetmorph.cli import main
-from sheetmorph.report import report_schema
+from sheetmorph.reporting.report import report_schema
 
 
 def change(folder: Path, **entries: object) -> None:
@@ -146,7 +146,7 @@ def test_what_only_the_kernel_can_find_is_bad_input_too(folder: Path, capsys):
 def test_a_failed_certificate_exits_with_3_and_writes_the_report_only(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys
 ):
-    monkeypatch.setattr("sheetmorph.report.tolerance", lambda size, arrays: 0.0)
+    monkeypatch.setattr("sheetmorph.reporting.report.tolerance", lambda size, arrays: 0.0)
     assert main(["run", "recipe.json", "-o", "out", "--report", "report.json"]) == 3
     assert "form features are not rigid" in capsys.readouterr().err
     assert not (folder / "out").exists()
@@ -246,7 +246,7 @@ def test_a_missing_or_broken_kernel_is_one_sentence(kernel, reason: str, folder:
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_an_interrupt_while_writing_leaves_nothing(number: int, folder: Path):
     script = (
-        "import sys, time, pathlib, sheetmorph.running as running\n"
+        "import sys, time, pathlib, sheetmorph.morph.running as running\n"
         "from sheetmorph.cli import main\n"
         "write = running._put_report\n"
         "def slow(*arguments):\n"

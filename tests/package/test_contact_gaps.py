@@ -13,8 +13,8 @@ import pytest
 from plates import plate, recipe_of, write_plate
 from sheetmorph import PartMesh, Session, read_part, run
 from sheetmorph.certifying import NotCertified, certify, read_criteria
-from sheetmorph.cli_table import ending_of
-from sheetmorph.gaps import Surface
+from sheetmorph.cli.summary import ending_of
+from sheetmorph.measuring.gaps import Surface
 
 PART = plate(holes=2, cells=3)
 KINDS = ("control mesh", "tied", "rigid")

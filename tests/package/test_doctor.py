@@ -12,8 +12,8 @@ import pytest
 
 from plates import plate, write_plate
 from sheetmorph import PartMesh, diagnose
-from sheetmorph.doctor import diagnose_files, schema
-from sheetmorph.file_unit import UNITS
+from sheetmorph.starting.doctor import diagnose_files, schema
+from sheetmorph.base.file_unit import UNITS
 from test_command_line import run_module
 from test_real_files import real_file
 
@@ -154,7 +154,7 @@ def test_what_a_file_lacks_is_the_first_finding(tmp_path: Path):
 @pytest.mark.parametrize("exponent", range(-12, 16))
 def test_every_size_gets_a_unit(exponent: int):
     """The largest and the smallest parts, too, for which no unit is usual."""
-    from sheetmorph.file_unit import UNITS, unit_of
+    from sheetmorph.base.file_unit import UNITS, unit_of
 
     for thickness in (None, 1e-6, 0.1, 1.0, 2.0, 50.0, 1e6):
         found = unit_of(3.0 * 10.0**exponent, thickness)

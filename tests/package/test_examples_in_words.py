@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 
 from sheetmorph import Session
-from sheetmorph.recipe import prepare, read_json, with_ids
-from sheetmorph.running import resolve
+from sheetmorph.checking import prepare, with_ids
+from sheetmorph.recipe.reading import read_json
+from sheetmorph.morph.running import resolve
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 EXAMPLES = REPOSITORY / "resources" / "examples"

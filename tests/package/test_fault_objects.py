@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sheetmorph import PartMesh, RecipeError, Session
-from sheetmorph.errors import Caution, Fault, Subject
+from sheetmorph.base.errors import Caution, Fault, Subject
 from strips import flat_strip
 
 HOSTILE = (

@@ -12,7 +12,7 @@ import pytest
 
 from plates import Plate, plate, recipe_of, save_recipe, write_plate
 from sheetmorph import PartMesh, RecipeError, Result, Session, run
-from sheetmorph.report import report_schema
+from sheetmorph.reporting.report import report_schema
 
 EXACT = 1e-10
 MOVED = {"tip": {"translation": [1.0, 2.0, 12.0], "rotation": {"axis": [0, 1, 0], "degrees": -25}}}
@@ -34,7 +34,7 @@ def deformed(part: Plate, hole1: dict | None = None, **entries: object) -> Resul
 
 
 def _schema() -> dict:
-    from sheetmorph.recipe import schema
+    from sheetmorph.recipe.structure import schema
 
     return schema()
 

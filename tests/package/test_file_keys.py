@@ -15,8 +15,9 @@ import sheetmorph
 from plates import Plate, plate, write_plate
 from sheetmorph import FileError, PartMesh, diagnose, read_part
 from sheetmorph.finding import find_in_files
-from sheetmorph.kernel import load_kernel
-from sheetmorph.prepared_mesh import Wanted, prepared_mesh
+from sheetmorph.base.kernel import load_kernel
+from sheetmorph.files.prepared_mesh import Wanted, prepared_mesh
+from sheetmorph.starting.doctor import diagnose_files
 
 
 def recipe_of(made: Plate, part: dict[str, Any], lift: list[float]) -> dict[str, Any]:
@@ -100,9 +101,9 @@ def test_the_doctor_gives_one_part_in_mm_for_a_file_in_metres(tmp_path: Path):
     write_plate(
         Plate(soup, np.arange(len(soup)).reshape(-1, 3), [], []), tmp_path / "plate.obj", "obj"
     )
-    (unsure,) = sheetmorph.doctor.diagnose_files([tmp_path / "plate.obj"])["files"]
+    (unsure,) = diagnose_files([tmp_path / "plate.obj"])["files"]
     assert "scale" not in unsure["part"] and "--unit m" in unsure["findings"][-1]["text"]
-    (told,) = sheetmorph.doctor.diagnose_files([tmp_path / "plate.obj"], unit="m")["files"]
+    (told,) = diagnose_files([tmp_path / "plate.obj"], unit="m")["files"]
     size = 1000.0 * told["size"]
     assert size / 400.0 < told["suggested_edge"] < size
     entry = told["part"]

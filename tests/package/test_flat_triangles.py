@@ -8,7 +8,7 @@ import pytest
 
 from plates import plate
 from sheetmorph import PartMesh, _core
-from sheetmorph.prepared_mesh import Wanted, prepared_mesh
+from sheetmorph.files.prepared_mesh import Wanted, prepared_mesh
 
 SEEDS = range(12)
 FLAT = 1e-5

@@ -13,7 +13,7 @@ from double_plates import ACROSS, ALONG, STEP, grid, node, two_plates
 from sheetmorph import CertificateError, RecipeError, run
 from sheetmorph.decks import read_deck
 from sheetmorph.files import read_part
-from sheetmorph.report import report_schema
+from sheetmorph.reporting.report import report_schema
 
 SHARED = Path(__file__).parents[3] / "shared" / "data"
 

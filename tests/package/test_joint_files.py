@@ -16,7 +16,7 @@ from sheetmorph.certifying import NotCertified, Targets, certify, read_criteria
 from sheetmorph.cli import main
 from sheetmorph.decks import read_deck
 from sheetmorph.joint_files import read_joint_file
-from sheetmorph.report import report_schema
+from sheetmorph.reporting.report import report_schema
 
 FILES = joint_samples()
 

@@ -8,8 +8,8 @@ from freecad.sheetmorph.tools.element_quality import MEASURES, ElementQuality
 from freecad.sheetmorph.tools.live_values import Displacement, Gaps, Quality, Region, Side, Stretch
 from freecad.sheetmorph.tools.live_values import legend_of, turn_of
 from sheetmorph import _core
-from sheetmorph.certifying import quality
-from sheetmorph.strain import PrincipalStretches
+from sheetmorph.measuring import quality
+from sheetmorph.measuring.strain import PrincipalStretches
 
 SQUARE = np.array([[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], float)
 HALVES = np.array([[0, 1, 2], [0, 2, 3]], np.int32)

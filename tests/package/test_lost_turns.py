@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sheetmorph.lost_turns import FollowedTurns, quaternions
+from sheetmorph.reporting.lost_turns import FollowedTurns, quaternions
 
 
 def helicoid(turns: float, along: int, across: int = 3) -> tuple[np.ndarray, ...]:

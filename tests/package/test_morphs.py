@@ -12,7 +12,7 @@ import pytest
 
 from plates import FORMATS, Plate, plate, recipe_of, save_recipe, write_plate
 from sheetmorph import PartMesh, RecipeError, Session, read_part, run
-from sheetmorph.report import report_schema
+from sheetmorph.reporting.report import report_schema
 
 
 def session_of(part: Plate, **entries: object) -> Session:

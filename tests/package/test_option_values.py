@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from sheetmorph.cli import main, parser
-from sheetmorph.cli_values import STDOUT
+from sheetmorph.cli.parsing import STDOUT
 
 DRAWN = 60
 PARSER = parser()

@@ -17,7 +17,7 @@ from lumpy_plates import ends, raised
 from plates import plate
 from sheet_meshes import circle, flat, inside, lifted, polygon, rounded
 from sheetmorph import PartMesh, Session
-from sheetmorph.running import CertificateError
+from sheetmorph.morph.running import CertificateError
 from bending import bent_and_twisted
 
 

@@ -14,8 +14,9 @@ import pytest
 import sheetmorph
 import sheetmorph.decks
 from sheetmorph.cli import main
-from sheetmorph.kernel import load_kernel
-from sheetmorph.report import report_schema
+from sheetmorph.base.kernel import load_kernel
+from sheetmorph.recipe.structure import schema
+from sheetmorph.reporting.report import report_schema
 
 DOCUMENTS = Path(__file__).resolve().parents[2] / "resources" / "docs"
 

@@ -15,7 +15,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 import sheetmorph
 from sheetmorph.cli import main
-from sheetmorph.recipe import read_json
+from sheetmorph.recipe.reading import read_json
 from sheetmorph.pictures import Arrow, PictureError, Scene, Sheet, before_and_after, draw, drawing
 from sheetmorph.pictures.scene import ROLES
 

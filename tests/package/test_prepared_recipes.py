@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from sheetmorph import RecipeError, read_part, run
-from sheetmorph.report import report_schema
+from sheetmorph.reporting.report import report_schema
 from test_real_files import real_file
 
 LENGTH, WIDTH, RADIUS, AROUND = 120.0, 60.0, 10.0, 48
@@ -130,7 +130,7 @@ def test_what_cannot_be_prepared_is_bad_input(tmp_path: Path):
 def test_plates_of_the_summit_deform_once_prepared(name: str, tmp_path: Path):
     """Set 05: split into components, one end held, the other lifted."""
     from sheetmorph import Session, _core
-    from sheetmorph.prepared_mesh import Wanted, prepared_mesh
+    from sheetmorph.files.prepared_mesh import Wanted, prepared_mesh
 
     mesh = read_part(real_file(f"05-robotnik-summit-stl/{name}.stl")).mesh
     tolerance = 1e-6

@@ -19,7 +19,7 @@ import recipes  # noqa: E402
 import riveted_support  # noqa: E402
 import selection  # noqa: E402
 from sheetmorph import Session, _core, run  # noqa: E402
-from sheetmorph.running import CertificateError  # noqa: E402
+from sheetmorph.morph.running import CertificateError  # noqa: E402
 
 pytestmark = pytest.mark.skipif(recipes.data_folder() is None, reason=recipes.ABSENT)
 ALONE = ["shelf", "bracket", "end plate", "bar", "cylinder", "bumpy_plane"]

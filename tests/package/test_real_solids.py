@@ -10,7 +10,7 @@ import pytest
 
 from bending import Ends, bent, bent_and_twisted, thin_holes
 from sheetmorph import PartMesh, _core, diagnose, read_part
-from sheetmorph.prepared_mesh import Wanted, prepared_mesh
+from sheetmorph.files.prepared_mesh import Wanted, prepared_mesh
 from test_real_files import real_file
 
 SUMMIT = "05-robotnik-summit-stl"

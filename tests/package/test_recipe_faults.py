@@ -247,7 +247,7 @@ def _paths(node: object, prefix: str = "") -> list[str]:
 def test_the_published_schema_accepts_the_recipe_and_is_a_schema():
     import jsonschema
 
-    from sheetmorph.recipe import schema
+    from sheetmorph.recipe.structure import schema
 
     jsonschema.Draft202012Validator.check_schema(schema())
     jsonschema.Draft202012Validator(schema()).validate(json.loads(json.dumps(RECIPE)))

@@ -14,7 +14,7 @@ from freecad.sheetmorph.tools.live_values import Stretch, legend_of
 from plates import plate, recipe_of
 from sheetmorph import PartMesh, Session
 from sheetmorph.cli import main
-from sheetmorph.strain import PrincipalStretches
+from sheetmorph.measuring.strain import PrincipalStretches
 
 LEAST = 0.05  # percent: the map marks no place below
 SEEDS = range(6)

@@ -12,9 +12,9 @@ import pytest
 
 from plates import plate, recipe_of, write_plate
 from sheetmorph import PartMesh, RecipeError, Session, run
-from sheetmorph.running import CertificateError
-from sheetmorph.strain import EdgeChanges, crushed
-from sheetmorph.tears import Cuts
+from sheetmorph.morph.running import CertificateError
+from sheetmorph.measuring.strain import EdgeChanges, crushed
+from sheetmorph.measuring.tears import Cuts
 
 STRIP = plate(holes=1, cells=3)
 

@@ -11,7 +11,7 @@ from sheetmorph import PartMesh
 from sheetmorph.finding import find
 from sheetmorph.finding.findings import FindPart
 from sheetmorph.finding.options import HOLES
-from sheetmorph.kernel import load_kernel
+from sheetmorph.base.kernel import load_kernel
 
 SHAPES = {"round hole": "hole", "slotted hole": "slot"}
 

@@ -13,7 +13,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from sheetmorph import PartMesh, RecipeError
-from sheetmorph.recipe import check_with_meshes
+from sheetmorph.checking import check_with_meshes
 from sheetmorph.recipe.placement import Placement
 from sheetmorph.selecting import PartShape, selected
 from sheetmorph.selecting.chosen import SelectorError

@@ -14,8 +14,8 @@ import sheetmorph
 from plates import plate, write_plate
 from sheetmorph import PartMesh, RecipeError, Session
 from sheetmorph.cli import main
-from sheetmorph.report import report_schema
-from sheetmorph.running import resolve, run
+from sheetmorph.reporting.report import report_schema
+from sheetmorph.morph.running import resolve, run
 from sheetmorph.selecting import PartShape, selected
 from sheetmorph.selecting.chosen import SelectorError
 from sheetmorph.recipe.placement import Placement

@@ -10,7 +10,7 @@ from bending import Ends, bent, bent_and_twisted, thin_holes
 from lumpy_plates import LUMPS, THICKNESS, lumpy_plate
 from sheet_meshes import flat, inside, polygon, thickened
 from sheetmorph import PartMesh, Session, _core
-from sheetmorph.prepared_mesh import Wanted, prepared_mesh
+from sheetmorph.files.prepared_mesh import Wanted, prepared_mesh
 
 
 def test_bosses_ribs_and_welded_nuts_are_rigid_though_nobody_marked_them():

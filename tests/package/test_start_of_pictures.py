@@ -31,10 +31,9 @@ def test_the_painter_loads_numpy_and_the_modules_of_vtk_that_it_draws_with():
 def test_show_loads_neither_vtk_nor_what_other_commands_and_files_need(folder: Path):
     lines = "import sys; from sheetmorph.cli import main; assert main(sys.argv[1:]) == 0"
     modules = loaded_by(lines, "show", "recipe.json", "-o", "rest.png", "--quiet")
-    assert Path("rest.png").exists() and "sheetmorph.showing" in modules
+    assert Path("rest.png").exists() and "sheetmorph.morph.showing" in modules
     others = {"vtkmodules", "scipy", "meshio", "matplotlib", "FreeCAD", "Part", "lxml", "dask"}
     assert not others & modules
     assert not [
         name for name in modules if name.startswith(("sheetmorph.study", "sheetmorph.flat"))
     ]
-    assert "sheetmorph.cad" not in modules

@@ -12,7 +12,7 @@ import pytest
 import sheetmorph
 from sheet_meshes import circle, flat, lifted, polygon
 from sheetmorph.cli import main
-from sheetmorph.recipe import read_json
+from sheetmorph.recipe.reading import read_json
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
 REAL = [

@@ -12,7 +12,7 @@ from lumpy_plates import raised
 from plates import Plate, write_plate
 from sheet_meshes import circle, flat, inside, polygon
 from sheetmorph.cli import main
-from sheetmorph.recipe import read_json
+from sheetmorph.recipe.reading import read_json
 
 STEP = 5.0
 

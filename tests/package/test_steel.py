@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import sheetmorph
-from sheetmorph.errors import RecipeError
-from sheetmorph.report import report_schema
+from sheetmorph.base.errors import RecipeError
+from sheetmorph.reporting.report import report_schema
 
 from strips import LENGTH, WIDTH, flat_strip
 

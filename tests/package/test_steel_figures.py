@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import sheetmorph
-from sheetmorph.recipe import prepare, with_ids
+from sheetmorph.checking import prepare, with_ids
 
 from strips import LENGTH, flat_strip
 

@@ -51,7 +51,7 @@ def test_every_variant_has_its_files_and_a_row(tmp_path: Path):
 def test_certificates_are_those_of_certify(tmp_path: Path):
     jsonschema = pytest.importorskip("jsonschema")
     out = study(tmp_path, parameters={"lift": {**LIFT, "steps": 2}}, sampling={}, certify="static")
-    schema = Path(sheetmorph.__file__).parent / "certificate.schema.json"
+    schema = Path(sheetmorph.__file__).parent / "certifying" / "certificate.schema.json"
     found = json.loads((out / "000001" / "certificate.json").read_text())
     jsonschema.validate(found, json.loads(schema.read_text()))
     recipe = json.loads((tmp_path / "recipe.json").read_text())

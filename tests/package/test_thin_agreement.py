@@ -15,7 +15,7 @@ from sheetmorph import PartMesh, Session, _core, diagnose, read_part
 from sheetmorph.files import is_cad
 from sheetmorph.recipe.model import model_of
 from sheetmorph.recipe.parts import read_parts
-from sheetmorph.starting import starting_recipe
+from sheetmorph.starting.first_recipe import starting_recipe
 from finding_scores import data_folder
 from thin_plates import thin_plate
 

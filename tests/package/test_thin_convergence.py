@@ -7,7 +7,7 @@ import pytest
 
 from bending import Bend, halving_changes
 from sheetmorph import PartMesh, _core
-from sheetmorph.prepared_mesh import Wanted, prepared_mesh
+from sheetmorph.files.prepared_mesh import Wanted, prepared_mesh
 from thin_plates import thin_plate
 
 

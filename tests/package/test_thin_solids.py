@@ -13,7 +13,7 @@ import pytest
 
 from sheetmorph import PartMesh, RecipeError, Session, _core, run
 from sheetmorph.cli import main
-from sheetmorph.report import report_schema
+from sheetmorph.reporting.report import report_schema
 from thin_plates import ThinPlate, thin_plate
 
 PLATE = thin_plate()
@@ -186,7 +186,7 @@ def test_a_thickness_that_changes_much_is_a_warning_with_its_place(
     assert abs(worst["deformed"] / worst["rest"] - 1.0) == pytest.approx(change)
     away = np.linalg.norm(result.positions["plate"] - worst["place"], axis=1)
     assert away.min() < 1e-9
-    monkeypatch.setattr("sheetmorph.cautions._THINNED", 0.5 * change)
+    monkeypatch.setattr("sheetmorph.reporting.cautions._THINNED", 0.5 * change)
     (warning,) = [text for text in result.report()["warnings"] if "thickness" in text]
     place = ", ".join(f"{x:.4g}" for x in worst["place"])
     assert warning.startswith('the thickness of "plate" changes by ')

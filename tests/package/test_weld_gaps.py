@@ -14,7 +14,7 @@ from sheetmorph import CertificateError, run
 from sheetmorph.cli import main
 from sheetmorph.decks import read_deck, sheet_of
 from sheetmorph.decks.welds import weld_gaps
-from sheetmorph.report import report_schema
+from sheetmorph.reporting.report import report_schema
 
 ALONG, ACROSS, APART = 12, 4, 3.0
 

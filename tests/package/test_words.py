@@ -3,7 +3,7 @@
 
 import pytest
 from freecad.sheetmorph.tools import words
-from sheetmorph.words import counted, folds, preparation
+from sheetmorph.base.words import counted, folds, preparation
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ import pytest
 from plates import plate, recipe_of, save_recipe, write_plate
 import sheetmorph
 from sheetmorph.cli import main
-from sheetmorph.errors import FileError
+from sheetmorph.base.errors import FileError
 from sheetmorph.files import FileSet
 
 
@@ -201,7 +201,7 @@ def test_an_unexpected_error_is_a_sentence_that_names_it(folder: Path, monkeypat
     def fail(*_: object) -> None:
         raise KeyError("nobody thought of this")
 
-    monkeypatch.setattr("sheetmorph.running.prepare", fail)
+    monkeypatch.setattr("sheetmorph.morph.running.prepare", fail)
     assert main(["run", "recipe.json", "-o", "out"]) == 3
     error = capsys.readouterr().err
     assert "KeyError: 'nobody thought of this'" in error and "please report" in error

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 
 from plates import save_recipe
 from sheetmorph.cli import main
-from sheetmorph.errors import RecipeError
+from sheetmorph.base.errors import RecipeError
 from sheetmorph.files.comments import plain_json
-from sheetmorph.recipe import read_json
+from sheetmorph.recipe.reading import read_json
 
 VALUES = st.recursive(
     st.none() | st.booleans() | st.integers(-9, 9) | st.text('ab/*,"\\]}', max_size=6),

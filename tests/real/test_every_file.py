@@ -11,7 +11,7 @@ import pytest
 
 import recipes
 from sheetmorph.cli import main
-from sheetmorph.errors import FileError
+from sheetmorph.base.errors import FileError
 from sheetmorph.files import read_part
 
 # What is no mesh beside the files: licences, lists of where they come from.

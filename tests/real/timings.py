@@ -20,7 +20,7 @@ import recipes
 import selection
 from sheetmorph import Session, diagnose
 from sheetmorph.finding import FindPart
-from sheetmorph.recipe.auto import filled, search
+from sheetmorph.checking.auto import filled, search
 
 NAMES = ("box", "enclosure")
 FRAMES = 25

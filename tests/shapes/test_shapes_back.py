@@ -17,7 +17,7 @@ from in_freecad import Cut, read_in_freecad
 from own_parts import make_own_parts
 from sheetmorph import read_part
 from sheetmorph.files.cad_writing import CadWriting, write_model
-from sheetmorph.shape_report import body_faults
+from sheetmorph.reporting.shapes import body_faults
 
 SHARED = Path(os.environ.get("SHEETMORPH_SHARED") or Path(__file__).resolve().parents[3] / "shared")
 SETS = {

@@ -5,9 +5,12 @@ The first Session loads the compiled kernel ``sheetmorph._core``. Code that only
 files and recipes works without it.
 """
 
-from .cautions import open_contacts
-from .doctor import diagnose
-from .errors import (
+import importlib
+from types import ModuleType
+
+from . import old_names
+from .base import version
+from .base.errors import (
     Caution,
     Fault,
     FileError,
@@ -17,13 +20,14 @@ from .errors import (
     RecipeError,
     Subject,
 )
+from .base.part_mesh import PartMesh
+from .checking import validate
 from .files import PartFile, read_part
-from .live import LiveFrames
-from .morph import Morph, open
-from .part_mesh import PartMesh
-from .recipe import validate
-from .running import CertificateError, check, resolve, run
-from .results import ContactResult, FeatureResult
+from .morph.live import LiveFrames
+from .morph.morph import Morph, open_files
+from .morph.running import CertificateError, check, resolve, run
+from .morph.session import Drag, Result, Session
+from .reporting.cautions import open_contacts
 from .selecting.words import (
     Selector,
     border_at,
@@ -48,9 +52,10 @@ from .selecting.words import (
     union,
     vertices,
 )
-from .session import Drag, Result, Session
+from .solving.results import ContactResult, FeatureResult
+from .starting import diagnose
 
-__version__ = "0.2.0"
+__version__ = version.__version__
 
 __all__ = [
     "Caution",
@@ -88,8 +93,8 @@ __all__ = [
     "half_space",
     "intersection",
     "minus",
-    "open",
     "open_contacts",
+    "open_files",
     "piece_at",
     "read_part",
     "resolve",
@@ -102,3 +107,18 @@ __all__ = [
     "validate",
     "vertices",
 ]
+
+open = open_files  # its name in scripts; not in __all__, because a star import would hide open()
+old_names.install(__name__)
+
+
+def __dir__() -> list[str]:
+    """Return the public names, for completion."""
+    return sorted([*__all__, "__version__"])
+
+
+def __getattr__(name: str) -> ModuleType:
+    """Return a module under its old name, such as ``sheetmorph.errors``."""
+    if name in old_names.MOVED:
+        return importlib.import_module(f"{__name__}.{name}")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -68,7 +68,8 @@ def schema_page(name: str, of_all: str) -> str:
 
     `of_all` is the heading of the first table.
     """
-    schema: dict[str, Any] = json.loads((PACKAGE / f"{name}.schema.json").read_text("utf-8"))
+    (path,) = PACKAGE.rglob(f"{name}.schema.json")
+    schema: dict[str, Any] = json.loads(path.read_text("utf-8"))
     kinds = Kinds(schema.get("$defs", {}))
     first = kinds.table(schema, "")
     sections = {}

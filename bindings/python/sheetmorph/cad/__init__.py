@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
-from ..progress import Progress
+from ..base.arrays import Floats
+from ..base.progress import Progress
 from .model import CadFeature, CadModel, CadPart, CadSurface
 
 __all__ = [

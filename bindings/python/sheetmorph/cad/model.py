@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats, Ints
-from ..progress import Progress
+from ..base.arrays import Floats, Ints
+from ..base.progress import Progress
 from .worker import Worker
 
 

@@ -19,9 +19,9 @@ from typing import IO, Any
 
 import numpy as np
 
-from ..errors import KernelError
-from ..kernel import load_kernel
-from ..progress import Progress
+from ..base.errors import KernelError
+from ..base.kernel import load_kernel
+from ..base.progress import Progress
 
 PROGRAM = Path(__file__).resolve().parent.parent / (
     "sheetmorph-cad.exe" if sys.platform == "win32" else "sheetmorph-cad"

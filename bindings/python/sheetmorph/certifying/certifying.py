@@ -12,18 +12,20 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats, Ints
+from ..base.arrays import Floats, Ints
+from ..base.errors import FileError
+from ..base.kernel import load_kernel
+from ..base.words import counted, folds
+from ..checking import prepare
+from ..checking.auto import filled
 from ..decks.materials import STEEL
-from ..errors import FileError
 from ..files import FileSet, PartFile
 from ..files.deck_file import DeckFile
 from ..finding.deck import part_material
 from ..joint_files.following import JointSource, joint_sources
-from ..kernel import load_kernel
-from ..recipe import filled, named_in, prepare, read_json
 from ..recipe.model import ContactEntry, Model, RegionEntry, model_of
 from ..recipe.parts import Parts, Source
-from ..words import counted, folds
+from ..recipe.reading import named_in, read_json
 from .criteria import Criteria
 from .measuring import (
     RestContact,

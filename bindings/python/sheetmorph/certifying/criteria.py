@@ -5,14 +5,14 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from ..errors import FileError
+from ..base.errors import FileError
+from ..base.packaged import packaged_json
 from ..files.comments import plain_json
 from ..files.reading import read_text
-from .quality import MEASURES
+from ..measuring.quality import MEASURES
 
 _OTHERS = ("set", "comment", "elements", "time_step", "features", "contacts")
 
@@ -36,9 +36,7 @@ class Criteria:
 
 def shipped() -> dict[str, Any]:
     """Return the supplied sets by name."""
-    text = resources.files("sheetmorph").joinpath("certifying/criteria.json").read_text("utf-8")
-    found: dict[str, Any] = json.loads(text)
-    return found
+    return packaged_json(__package__, "criteria.json")
 
 
 def read_criteria(name: str | Path | None) -> Criteria:

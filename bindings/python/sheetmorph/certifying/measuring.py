@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arrays import Bools, Floats, Ints
-from ..certificate import best_turn, edge_error, feature_edges
+from ..base.arrays import Bools, Floats, Ints
+from ..base.part_mesh import PartMesh
 from ..decks.materials import STEEL, Material
-from ..gaps import ContactGap, Surface
-from ..part_mesh import PartMesh
+from ..measuring.gaps import ContactGap, Surface
+from ..measuring.quality import MEASURES, areas, measured, step_length
+from ..measuring.rigidity import best_turn, edge_error, feature_edges
 from .criteria import Criteria
-from .quality import MEASURES, areas, measured, step_length
 
 if TYPE_CHECKING:
     from .. import _core

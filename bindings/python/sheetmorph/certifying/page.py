@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats, Ints
+from ..base.arrays import Floats, Ints
+from ..measuring.quality import areas, aspect, measured
 from .measuring import Written
-from .quality import areas, aspect, measured
 
 _WIDE, _HIGH = 420, 300
 # Parts with more faces are drawn coarser, with every k-th face.

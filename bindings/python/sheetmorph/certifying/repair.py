@@ -5,19 +5,21 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
-from ..arrays import Bools, Floats, Ints
-from ..errors import Fault, RecipeError
+from ..base.arrays import Bools, Floats, Ints
+from ..base.errors import Fault, RecipeError
+from ..base.part_mesh import PartMesh
 from ..files.deck_file import DeckFile
-from ..part_mesh import PartMesh
 from ..recipe.model import RegionEntry
 from ..recipe.parts import Source
-from ..session import Result
+from ..solving.answer import Answer
 from .criteria import read_criteria
 from .sliding import Sliding, Slid, borders_and_creases
+
+Shown = TypeVar("Shown", bound=Answer)
 
 # Degrees. Nodes on sharper edges stay, because they belong to unmarked features.
 _CREASE = 30.0
@@ -33,7 +35,7 @@ def criteria_of(asked: Any, base: Path) -> str | Path | None:
     return place if place.is_file() else str(asked)
 
 
-def repaired(result: Result, sources: list[Source], criteria: str | Path) -> Result:
+def repaired(result: Shown, sources: list[Source], criteria: str | Path) -> Shown:
     """Slide nodes of the decks in their sheets until the criteria are met; return the new result.
 
     Its `repairs` describe every part. Raises FileError, and RecipeError if none of the parts is a
@@ -73,7 +75,7 @@ def _entry(name: str, criteria: str, slid: Slid, before: Floats) -> dict[str, An
     }
 
 
-def _stays(result: Result, name: str, faces: Ints) -> Bools:
+def _stays(result: Answer, name: str, faces: Ints) -> Bools:
     """Return which vertices (n,) of a part must not slide.
 
     These belong to regions, features and contacts, lie on borders and creases, or surround mid-side

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Bools, Floats, Ints
-from ..kernel import load_kernel
-from .quality import MEASURES, areas
+from ..base.arrays import Bools, Floats, Ints
+from ..base.kernel import load_kernel
+from ..measuring.quality import MEASURES, areas
 
 # Elements must clear a limit by this share of it, so that a move of a neighbour does not break it
 # again. The first and the smallest step of a node are shares of its shortest edge.

@@ -6,18 +6,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from ..errors import FileError
-from .deck import Deck
-from .includes import output_places
-from .model import Elements, Opener, Place
+from ..base.errors import FileError
 from .abaqus import SUFFIXES as ABAQUS
 from .abaqus import read_abaqus
+from .deck import Deck
 from .dyna import SUFFIXES as DYNA
 from .dyna import read_dyna
 from .forms import require_form
 from .gmsh import SUFFIXES as GMSH
 from .gmsh import read_gmsh
 from .heap import give_back_large_arrays
+from .includes import output_places
+from .model import Elements, Opener, Place
 from .nastran import SUFFIXES as NASTRAN
 from .nastran import read_nastran
 from .radioss import SUFFIXES as RADIOSS

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Bools, Ints
+from ..base.arrays import Bools, Ints
 from .deck import Deck
 from .shells import Sheet
 

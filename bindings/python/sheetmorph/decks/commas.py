@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arrays import Bools, Codes, Floats, Ints
-from ..blocks import chunks
+from ..base.arrays import Bools, Codes, Floats, Ints
+from ..base.blocks import chunks
 from .model import FREE, Block, Raw
 from .numbers import parse_integers, parse_reals
 from .text import DeckText

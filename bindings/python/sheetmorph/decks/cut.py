@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Floats, Ints
-from ..blocks import chunks
+from ..base.arrays import Floats, Ints
+from ..base.blocks import chunks
 from .model import FIXED, Block, Raw
 from .numbers import parse_integers, parse_reals
 

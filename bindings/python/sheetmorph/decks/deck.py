@@ -9,9 +9,9 @@ from typing import BinaryIO
 
 import numpy as np
 
-from ..arrays import Bools, Floats, Ints
-from ..blocks import CHUNK, chunks
-from ..errors import FileError, list_ids
+from ..base.arrays import Bools, Floats, Ints
+from ..base.blocks import CHUNK, chunks
+from ..base.errors import FileError, list_ids
 from .frames import Frame, FrameError, Frames
 from .model import BINARY, FIXED, PADDED, Block, Elements, Raw, table_of
 from .numbers import format_reals, last_digit, parse_real

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from ..errors import FileError
+from ..base.errors import FileError
 
 # For each format its usual name, a file suffix, and lines that no other format has.
 _FLAGS = re.IGNORECASE | re.MULTILINE

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Floats
+from ..base.arrays import Floats
 
 _SMALLEST = 1e-12
 Locate = Callable[[int], Floats]

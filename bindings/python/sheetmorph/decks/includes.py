@@ -8,7 +8,7 @@ import unicodedata
 from collections.abc import Sequence
 from pathlib import Path
 
-from ..errors import FileError
+from ..base.errors import FileError
 from .model import Opener, Raw
 from .text import DeckText
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Bools, Floats, Ints
-from ..strain import middle_edge
+from ..base.arrays import Bools, Floats, Ints
+from ..measuring.strain import middle_edge
 from .deck import Deck
 from .model import Elements, Place
 from .shells import Sheet

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..arrays import Array, Floats, Ints
-from ..errors import FileError
+from ..base.arrays import Array, Floats, Ints
+from ..base.errors import FileError
 from .materials import Materials
 from .text import DeckText
 

@@ -9,7 +9,7 @@ import re
 
 import numpy as np
 
-from ..arrays import Bools, Codes, Floats, Ints
+from ..base.arrays import Bools, Codes, Floats, Ints
 
 _REAL = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+))(?:[ED]([+-]?\d+)|([+-]\d+))?", re.IGNORECASE)
 # The squares of larger coordinates can overflow.

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arrays import Floats, Ints
-from ..kernel import load_kernel
-from ..strain import middle_edge
+from ..base.arrays import Floats, Ints
+from ..base.kernel import load_kernel
+from ..base.motion import Motion, blended, on_triangle, rigid_along, rigid_motion
+from ..measuring.strain import middle_edge
 from .attachment import Group, groups_of
 from .deck import Deck
-from .following import Motion, blended, on_triangle, rigid_along, rigid_motion
 from .shells import Sheet
 
 if TYPE_CHECKING:

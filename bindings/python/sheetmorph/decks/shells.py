@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Floats, Ints
-from ..errors import FileError
+from ..base.arrays import Floats, Ints
+from ..base.errors import FileError
 from .deck import Deck, missing_nodes
 from .model import Elements
 

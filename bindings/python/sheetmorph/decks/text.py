@@ -11,9 +11,9 @@ from typing import BinaryIO
 
 import numpy as np
 
-from ..arrays import Codes, Ints
-from ..blocks import chunks
-from ..errors import FileError
+from ..base.arrays import Codes, Ints
+from ..base.blocks import chunks
+from ..base.errors import FileError
 
 _BLANK = 32
 _UTF_8, _UTF_16 = b"\xef\xbb\xbf", (b"\xff\xfe", b"\xfe\xff")

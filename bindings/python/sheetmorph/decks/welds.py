@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arrays import Floats, Ints
-from ..kernel import load_kernel
-from ..strain import middle_edge
+from ..base.arrays import Floats, Ints
+from ..base.kernel import load_kernel
+from ..measuring.strain import middle_edge
 from .attachment import labels_of
 from .deck import Deck
 from .model import Elements, Place

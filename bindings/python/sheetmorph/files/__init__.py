@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..errors import FileError
-from ..labels import Labels, by_key
+from ..base.errors import FileError
+from ..base.labels import Labels, by_key
 from .atomic import FileSet
 from .cad_file import CAD_SUFFIXES, read_cad
 from .deck_file import SUFFIXES as DECKS

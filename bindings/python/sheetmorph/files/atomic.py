@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from ..errors import FileError, OccupiedError
+from ..base.errors import FileError, OccupiedError
 from .beside import require_unread
 from .identity import is_one_of
 from .ledger import Ledger

@@ -8,7 +8,7 @@ import tomllib
 from collections.abc import Collection
 from pathlib import Path
 
-from ..errors import FileError
+from ..base.errors import FileError
 from .comments import plain_json
 from .reading import read_text
 

@@ -12,12 +12,14 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
-from ..errors import FileError, fault_of
-from ..labels import CadFace, Labels
-from ..part_mesh import PartMesh
-from ..progress import Progress
-from ..words import counted
+from ..base.arrays import Floats
+from ..base.errors import FileError, fault_of
+from ..base.labels import CadFace, Labels
+from ..base.part_mesh import PartMesh
+from ..base.progress import Progress
+from ..base.words import counted
+from ..cad import read_brep
+from ..cad import read_cad as read_model
 from .obj import ObjFile
 from .part_file import PartFile
 from .text import LARGEST, read_bytes
@@ -97,9 +99,7 @@ def read_cad(
 
 def read_shape(text: str, name: str, meshing: Mapping[str, float] | None = None) -> Any:
     """The kernel's CadModel of one shape as the text of a BREP file. Raises ValueError."""
-    from .. import cad  # its worker is started by whoever reads a shape, and by nobody else
-
-    return cad.read_brep(text, name, _sizes(meshing or {}))
+    return read_brep(text, name, _sizes(meshing or {}))
 
 
 def part_meshes(model: Any) -> list[PartMesh]:
@@ -157,12 +157,10 @@ def _sizes(meshing: Mapping[str, float]) -> dict[str, float]:
 
 
 def _read(path: Path, meshing: Mapping[str, float], progress: Progress | None) -> Any:
-    from .. import cad
-
     if path.stat().st_size == 0:
         raise FileError(path, "the file is empty", "export it again")
     try:
-        return cad.read_cad(str(path.absolute()), _sizes(meshing), progress)
+        return read_model(str(path.absolute()), _sizes(meshing), progress)
     except ValueError as error:
         fault = fault_of(error, "export it again")
         raise FileError(path, fault.what, fault.todo) from None

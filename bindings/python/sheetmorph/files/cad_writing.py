@@ -10,9 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
-from ..errors import FileError, fault_of
-from ..progress import Progress
+from ..base.arrays import Floats
+from ..base.errors import FileError, fault_of
+from ..base.progress import Progress
+from ..cad import write_cad
 from .cad_file import CadFile
 from .part_file import PartFile
 
@@ -66,8 +67,6 @@ def write_model(
     progress: Progress | None = None,
 ) -> list[dict[str, Any]]:
     """The same for a CadModel of the kernel with positions (n, 3) of each of its parts."""
-    from ..cad import write_cad
-
     wanted = {
         "format": writing.format,
         "tolerance": writing.tolerance,

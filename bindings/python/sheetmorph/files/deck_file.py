@@ -9,7 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats, Ints
+from ..base.arrays import Floats, Ints
+from ..base.errors import FileError, list_ids
+from ..base.labels import Labels
+from ..base.part_mesh import PartMesh
 from ..decks import Deck, output_places, read_bytes, read_deck, sheet_of, suffixes
 from ..decks.contents import Shells, shells_of, thickness_of
 from ..decks.joints import Joint, joints_of
@@ -18,9 +21,6 @@ from ..decks.model import Place
 from ..decks.passengers import Carried, Passengers, rules_of
 from ..decks.placing import require_places
 from ..decks.stale import stale_report
-from ..errors import FileError, list_ids
-from ..labels import Labels
-from ..part_mesh import PartMesh
 from .atomic import FileSet
 from .part_file import PartFile
 

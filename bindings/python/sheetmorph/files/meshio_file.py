@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
-from ..errors import FileError
-from ..part_mesh import PartMesh
+from ..base.arrays import Floats
+from ..base.errors import FileError
+from ..base.part_mesh import PartMesh
 from .part_file import PartFile
 from .polygons import SPLIT_IT, triangulate
 from .text import check_points, read_bytes

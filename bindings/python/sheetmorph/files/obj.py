@@ -8,9 +8,9 @@ from collections import Counter
 
 import numpy as np
 
-from ..labels import Labels
-from ..part_mesh import PartMesh
-from ..words import counted
+from ..base.labels import Labels
+from ..base.part_mesh import PartMesh
+from ..base.words import counted
 from .polygons import triangulate
 from .text import CUT_LINE, CoordinateText, Source, TextPartFile, TOKEN, show
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..part_mesh import PartMesh
+from ..base.part_mesh import PartMesh
 from .polygons import triangulate
 from .text import CUT_LINE, CoordinateText, Source, TextPartFile, TOKEN, show
 

@@ -10,7 +10,7 @@ import zlib
 from collections.abc import Callable
 from pathlib import Path
 
-from ..errors import FileError
+from ..base.errors import FileError
 from .part_file import PartFile
 
 

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats, Ints
-from ..part_mesh import PartMesh
+from ..base.arrays import Floats, Ints
+from ..base.part_mesh import PartMesh
 from .atomic import FileSet
 
 

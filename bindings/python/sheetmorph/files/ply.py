@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats, Ints
-from ..part_mesh import PartMesh
-from ..words import counted
+from ..base.arrays import Floats, Ints
+from ..base.part_mesh import PartMesh
+from ..base.words import counted
 from .part_file import PartFile
 from .ply_header import Element, Header, check_faces, checked_elements, parse_header, scalar_dtype
 from .polygons import triangulate

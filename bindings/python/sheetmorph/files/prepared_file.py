@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
-from ..kernel import load_kernel
-from ..prepared_mesh import Wanted, prepared_mesh
-from ..progress import Progress
-from ..words import preparation
+from ..base.arrays import Floats
+from ..base.kernel import load_kernel
+from ..base.progress import Progress
+from ..base.words import preparation
 from .obj import ObjFile
 from .part_file import PartFile
+from .prepared_mesh import Wanted, prepared_mesh
 
 
 class PreparedFile(PartFile):

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from ..arrays import Bools, Floats, Ints
-from ..part_mesh import PartMesh
-from ..words import counted
+from ..base.arrays import Bools, Floats, Ints
+from ..base.part_mesh import PartMesh
+from ..base.words import counted
 from .part_file import PartFile
 from .text import CoordinateText, Source, check_points, read_bytes, show, without_mark
 

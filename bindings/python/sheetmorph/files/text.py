@@ -12,9 +12,9 @@ from pathlib import Path
 
 import numpy as np
 
-from ..arrays import Floats, Ints
-from ..errors import FileError
-from ..part_mesh import PartMesh
+from ..base.arrays import Floats, Ints
+from ..base.errors import FileError
+from ..base.part_mesh import PartMesh
 from .part_file import PartFile
 
 TOKEN = re.compile(rb"[^\s]+")

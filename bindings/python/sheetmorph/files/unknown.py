@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from ..errors import FileError
+from ..base.errors import FileError
 
 _CAD = (
     *(".3dm", ".asm", ".catpart", ".catproduct", ".dgn", ".f3d", ".f3z", ".iam", ".ipt", ".jt"),

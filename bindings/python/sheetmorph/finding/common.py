@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..part_mesh import PartMesh
+from ..base.part_mesh import PartMesh
 
 Pair = tuple[str, str]
 

@@ -9,14 +9,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..decks.materials import Material
+from ..base.kernel import load_kernel
+from ..base.part_mesh import PartMesh
 from ..decks.attachment import pinned_nodes
+from ..decks.materials import Material
 from ..decks.welds import REACH as WELD_REACH
 from ..files.deck_file import DeckFile
-from ..kernel import load_kernel
-from ..part_mesh import PartMesh
+from ..measuring.strain import middle_edge
 from ..recipe.parts import Source
-from ..strain import middle_edge
 
 _JOINING = ("line", "rigid", "constraint", "weld")
 # A flexible joint with more vertex pairs is a seam and not a spot.

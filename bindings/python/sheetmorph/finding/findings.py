@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from importlib import resources
 from typing import TYPE_CHECKING, Any
 
-from ..arrays import Ints
-from ..part_mesh import PartMesh
+from ..base.arrays import Ints
+from ..base.packaged import packaged_json
+from ..base.part_mesh import PartMesh
 from .options import HOLES
 
 if TYPE_CHECKING:
@@ -34,9 +33,7 @@ _CURVED = ("cylinder", "cone", "sphere")
 
 def find_schema() -> dict[str, Any]:
     """Return the published JSON Schema of search results."""
-    text = resources.files("sheetmorph").joinpath("find.schema.json").read_text("utf-8")
-    found: dict[str, Any] = json.loads(text)
-    return found
+    return packaged_json(__package__, "find.schema.json")
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 
-from ..errors import Fault, RecipeError
+from ..base.errors import Fault, RecipeError
 from ..files import is_cad, read_part, unpacked_name
 from ..recipe.model import model_of
 from ..recipe.parts import Parts, Source, read_parts

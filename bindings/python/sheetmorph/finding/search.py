@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..kernel import load_kernel
-from ..progress import Progress
+from ..base.kernel import load_kernel
+from ..base.progress import Progress
 from .common import common_entry, common_nodes
 from .exact import with_exact
 from .findings import FindPart, Findings, contact_entry, feature_entry

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arrays import Bools, Floats, Ints
-from ..errors import FileError
+from ..base.arrays import Bools, Floats, Ints
+from ..base.errors import FileError
 from ..files.reading import read_bytes
 
 if TYPE_CHECKING:

@@ -11,15 +11,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arrays import Floats, Ints
-from ..errors import FileError
+from ..base.arrays import Floats, Ints
+from ..base.errors import FileError
+from ..base.kernel import load_kernel
+from ..base.part_mesh import PartMesh
+from ..base.progress import Progress
+from ..base.words import at_place, counted
 from ..files import read_part
 from ..files.packed import unpacked_name
-from ..kernel import load_kernel
-from ..part_mesh import PartMesh
-from ..progress import Progress
-from ..strain import arcs, areas, principal_stretches
-from ..words import at_place, counted
+from ..measuring.strain import arcs, areas, principal_stretches
 from .bends import Bend, KTable, find_bends
 
 if TYPE_CHECKING:

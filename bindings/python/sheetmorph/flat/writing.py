@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
-from ..errors import InputError
+from ..base.arrays import Floats
+from ..base.errors import InputError
 from ..files.atomic import FileSet
 from .bends import Bend
 from .pattern import FlatPattern

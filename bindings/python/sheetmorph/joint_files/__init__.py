@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from ..errors import FileError
+from ..base.errors import FileError
 from .csv_points import read_csv, read_vip
 from .points import JointFile
 from .xml_points import read_xml

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
-from ..decks.following import Motion, on_triangle, turn_at
-from ..errors import Fault, FileError, RecipeError
+from ..base.arrays import Floats
+from ..base.errors import Fault, FileError, RecipeError
+from ..base.motion import Motion, on_triangle, turn_at
 from ..files import FileSet
 from ..recipe.model import JointFileEntry
 from ..recipe.parts import Parts

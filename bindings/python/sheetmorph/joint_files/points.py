@@ -11,8 +11,8 @@ from typing import BinaryIO
 
 import numpy as np
 
-from ..arrays import Floats
-from ..errors import FileError
+from ..base.arrays import Floats
+from ..base.errors import FileError
 
 _REAL = re.compile(rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?")
 # The squares of larger coordinates can overflow.

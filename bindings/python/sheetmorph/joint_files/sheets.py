@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arrays import Floats, Ints
-from ..decks.following import Motion
+from ..base.arrays import Floats, Ints
+from ..base.kernel import load_kernel
+from ..base.motion import Motion
 from ..files.deck_file import DeckFile
-from ..kernel import load_kernel
+from ..measuring.strain import middle_edge
 from ..recipe.parts import Source
-from ..strain import middle_edge
 
 if TYPE_CHECKING:
     from .. import _core

@@ -10,7 +10,7 @@ import re
 from pathlib import Path
 from xml.parsers import expat
 
-from ..errors import FileError
+from ..base.errors import FileError
 from .points import Joint, JointFile, Number
 
 _FORMS = {"xmcf": "xMCF", "xml_connection_file": "MCF"}

@@ -9,11 +9,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..answer import Answer
-from ..arrays import Ints
-from ..part_mesh import PartMesh
+from ..base.arrays import Ints
+from ..base.part_mesh import PartMesh
 from ..recipe.model import Model, RegionEntry
 from ..recipe.pose import Moved, pose_of
+from ..solving.answer import Answer
 from .scene import ROLES, SHEET, SHIFT, TURN, Arrow, Scene, Sheet
 
 _ROLE_OF = {

@@ -34,7 +34,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 if TYPE_CHECKING:
-    from ..arrays import Ints
+    from ..base.arrays import Ints
     from .scene import Arrow, Colour, Scene, Sheet
 
 _TEXT: Colour = (0.13, 0.17, 0.22)

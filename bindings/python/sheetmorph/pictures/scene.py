@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 
-from ..arrays import Floats, Ints
+from ..base.arrays import Floats, Ints
 
 Colour = tuple[float, float, float]
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ..errors import Subject
+from ..base.errors import Subject
 
 Vector = tuple[float, float, float]
 

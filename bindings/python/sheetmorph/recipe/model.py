@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from ..errors import Subject
+from ..base.errors import Subject
 from ..files import is_cad, unpacked_name
 from ..files.cad_writing import CadWriting
-from ..prepared_mesh import Wanted
+from ..files.prepared_mesh import Wanted
 from .feature_entries import (
     RELATIONS,
     FeatureMotion,
@@ -24,8 +24,8 @@ from .feature_entries import (
     vector_of,
 )
 from .placement import Placement
-from .pose import Moved, Rotation, pose_of, rotation_of
 from .places import driven_in, place_of
+from .pose import Moved, Rotation, pose_of, rotation_of
 
 
 @dataclass(frozen=True)

@@ -10,18 +10,19 @@ from pathlib import Path
 
 import numpy as np
 
-from ..arrays import Floats, Ints
+from ..base.arrays import Floats, Ints
+from ..base.errors import Fault, FileError, fault_of
+from ..base.part_mesh import PartMesh
+from ..base.progress import Progress
 from ..decks import is_deck
-from ..errors import Fault, FileError, fault_of
 from ..files import PartFile, is_cad, output_name, unpacked_name
 from ..files.cad_writing import CadWriting
 from ..files.deck_file import DeckFile
 from ..files.prepared_file import PreparedFile
-from ..part_mesh import PartMesh
-from ..progress import Progress
 from .found import Found, Resolved
 from .model import JointFileEntry, PartEntry
 from .placement import Placement
+from .reading_ahead import ReadAhead
 from .splitting import SplitError, part_of, split_triangles
 
 # Part names that are valid file names on any system.
@@ -102,8 +103,6 @@ def read_parts(
 
     progress(fraction, task) may return False to cancel (RuntimeError).
     """
-    from .reading_ahead import ReadAhead  # it takes a while to load
-
     parts = Parts()
     stems = _stems(entries, Path(base))
     wanted = {

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
-from ..part_mesh import PartMesh
-from ..prepared_mesh import PreparedMesh
+from ..base.arrays import Floats
+from ..base.part_mesh import PartMesh
+from ..files.prepared_mesh import PreparedMesh
 
 _IDENTITY = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from ..errors import Subject
+from ..base.errors import Subject
 
 _SECTIONS = {
     "parts": ("part", "part"),

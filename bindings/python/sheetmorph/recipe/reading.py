@@ -12,7 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ..errors import Fault, RecipeError
+from ..base.errors import Fault, RecipeError
 from ..files.comments import plain_json
 from ..files.reading import read_text
 from .lines import Lines, repeated_key
@@ -41,6 +41,17 @@ def read_json(path: str | Path) -> Any:
         raise _error(f"{path}, line {line}, column {column}", what, "keep one of them") from None
     except (RecursionError, ValueError) as error:
         raise _error(path, f"not JSON that can be used: {error}", "simplify it") from None
+
+
+def given(data: str | Path | dict[str, Any], name: str = "recipe") -> tuple[Any, Path]:
+    """Return the content of a file, or data in memory, with the path that names it in messages.
+
+    The folder of the path is the base of relative paths: for data in memory the working folder.
+    Raises RecipeError.
+    """
+    if isinstance(data, dict):
+        return data, Path(f"<{name}>")
+    return read_json(data), Path(data)
 
 
 @contextmanager

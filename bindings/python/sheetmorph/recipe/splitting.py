@@ -8,11 +8,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..arrays import Ints
-from ..errors import list_ids
+from ..base.arrays import Ints
+from ..base.errors import list_ids
+from ..base.part_mesh import PartMesh
 from ..files import PartFile
 from ..files.deck_file import DeckFile
-from ..part_mesh import PartMesh
 
 
 _MOST = 500

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..errors import Fault, RecipeError
+from ..base.errors import Fault, RecipeError
 from ..files import is_cad
 
 

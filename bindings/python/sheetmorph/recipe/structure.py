@@ -7,13 +7,13 @@ import difflib
 import json
 from collections.abc import Iterable, Iterator
 from functools import cache
-from importlib import resources
 from typing import Any
 
 import jsonschema
 
-from ..errors import Fault
-from ..words import counted
+from ..base.errors import Fault
+from ..base.packaged import packaged_json
+from ..base.words import counted
 from .places import place_of, subjects_at
 from .pose import entries_of, is_plainly_sound
 from .values import are_ids, bad_values, copied, depth_faults
@@ -21,9 +21,7 @@ from .values import are_ids, bad_values, copied, depth_faults
 
 def schema() -> dict[str, Any]:
     """Return the published JSON Schema of the recipe."""
-    text = resources.files("sheetmorph").joinpath("recipe.schema.json").read_text("utf-8")
-    found: dict[str, Any] = json.loads(text)
-    return found
+    return packaged_json(__package__, "recipe.schema.json")
 
 
 _IDS = {"$ref": "#/$defs/id"}

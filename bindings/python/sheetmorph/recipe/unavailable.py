@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ..errors import Fault
+from ..base.errors import Fault
 from .places import place_of
 from .values import copied
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from ..errors import Fault
+from ..base.errors import Fault
 from .places import place_of
 
 # The squares of larger coordinates can overflow.

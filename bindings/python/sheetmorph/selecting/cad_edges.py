@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Ints
+from ..base.arrays import Ints
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Bools, Floats, Ints
+from ..base.arrays import Bools, Floats, Ints
 
 
 class SelectorError(ValueError):

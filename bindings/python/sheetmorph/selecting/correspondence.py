@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..arrays import Bools, Floats, Ints
+from ..base.arrays import Bools, Floats, Ints
 from .rigid_motions import Motion, proposed_motions
 
 # A hole may move by this share of the distance to the next candidate.

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats, Ints
+from ..base.arrays import Floats, Ints
 from ..finding.options import HOLES
 from .chosen import Chosen, SelectorError
 from .correspondence import HALF, Holes, Match, matched

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Bools, Floats, Ints
+from ..base.arrays import Bools, Floats, Ints
 from .chosen import Chosen
 from .part_shape import PartShape
 

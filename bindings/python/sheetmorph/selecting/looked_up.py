@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arrays import Floats, Ints
+from ..base.arrays import Floats, Ints
+from ..base.labels import CadFace
 from ..finding.options import HOLES
-from ..labels import CadFace
 from .chosen import Chosen, SelectorError
 from .part_shape import CREASE, PartShape
 

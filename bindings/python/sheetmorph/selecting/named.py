@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
-from ..errors import list_ids
+from ..base.arrays import Floats
+from ..base.errors import list_ids
 from ..finding.options import HOLES, KINDS
 from .chosen import Chosen, SelectorError
 from .looked_up import far_remarks

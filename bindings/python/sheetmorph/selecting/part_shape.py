@@ -11,15 +11,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arrays import Floats, Ints
-from ..file_unit import unit_of
+from ..base.arrays import Floats, Ints
+from ..base.file_unit import unit_of
+from ..base.kernel import load_kernel
+from ..base.labels import Labels
+from ..base.part_mesh import PartMesh
+from ..base.words import tidy
 from ..finding.findings import FindPart
 from ..finding.search import find
-from ..kernel import load_kernel
-from ..labels import Labels
-from ..part_mesh import PartMesh
 from ..recipe.placement import Placement
-from ..words import tidy
 from .cad_edges import CadEdge, cad_edges
 from .chosen import Chosen
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
+from ..base.arrays import Floats
 from .things import text_of
 
 

@@ -10,12 +10,12 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import Fault, RecipeError
-from ..part_mesh import PartMesh
+from ..base.errors import Fault, RecipeError
+from ..base.part_mesh import PartMesh
+from ..base.words import counted
 from ..recipe.found import Resolved
 from ..recipe.model import PartEntry
 from ..recipe.places import driven_in, place_of, subjects_at
-from ..words import counted
 from .chosen import Chosen, SelectorError
 from .grammar import JOINING, Path, form_faults, key_of, operands
 from .grown import grown, shrunk

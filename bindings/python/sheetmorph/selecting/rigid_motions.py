@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Bools, Floats
+from ..base.arrays import Bools, Floats
 
 # Limits of the work: point pairs that define a motion, motions to try, and points for rotations.
 _ANCHORS, _TRIED, _MOST_TURNED = 3, 40, 250

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats, Ints
+from ..base.arrays import Floats, Ints
 from .looked_up import CREASE_ANGLE, RIMMED, rim_loops, rim_vertices, segments_distance
 from .part_shape import PartShape
 

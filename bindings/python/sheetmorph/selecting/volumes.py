@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
+from ..base.arrays import Floats
 from .chosen import Chosen, SelectorError
 from .part_shape import PartShape
 

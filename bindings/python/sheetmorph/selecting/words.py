@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from ..arrays import Floats, Ids
+from ..base.arrays import Floats, Ids
 
 Vector = Sequence[float] | Floats
 Where = dict[str, Any] | Sequence[dict[str, Any]]

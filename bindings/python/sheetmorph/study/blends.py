@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
-from ..errors import Fault, RecipeError
+from ..base.arrays import Floats
+from ..base.errors import Fault, RecipeError
 
 _BLENDED = {"translation", "rotation", "pivot"}
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from ..errors import FileError, RecipeError
+from ..base.errors import FileError, RecipeError
 from ..files.atomic import FileSet
 from ..files.reading import read_text
 from .evaluating import Evaluator

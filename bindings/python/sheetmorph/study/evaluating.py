@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
-from ..errors import Fault, RecipeError
-from ..report import make_report
-from ..session import Result
+from ..base.arrays import Floats
+from ..base.errors import Fault, RecipeError
+from ..morph.session import Result
+from ..reporting.report import make_report
 from .figures import Figures
 from .measures import Numbers as Measured
 from .measures import Scene
@@ -36,8 +36,8 @@ class Evaluator:
 
     Parameters
     ----------
-    study : str or path
-        The study file.
+    study : str, path or dict
+        The study file, or a study with paths relative to the working folder.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class Evaluator:
     RecipeError, FileError, KernelError
     """
 
-    def __init__(self, study: str | Path):
+    def __init__(self, study: str | Path | dict[str, Any]):
         self._plan = Plan(study)
         self._shop = Workshop(self._plan)
         self._last: tuple[Values, Result] | None = None

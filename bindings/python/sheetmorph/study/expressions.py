@@ -9,7 +9,7 @@ import operator
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from ..errors import Fault, RecipeError
+from ..base.errors import Fault, RecipeError
 
 _TWO: dict[type, Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,

@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from ..answer import Answer
-from ..arrays import Floats
-from ..report import part_report, rigidity
-from ..thin import new_crossings
-from .gaps import touching
+from ..base.arrays import Floats
+from ..measuring.distance import touching
+from ..reporting.report import part_report, rigidity
+from ..reporting.thin_solids import crossed_anew
+from ..solving.answer import Answer
 
 # For these the worst value is the smallest; for all others it is the largest.
 _SMALLEST = {"angle"}
@@ -71,7 +71,7 @@ class Figures:
             pairs = [(c["gap_change"], c["source"], c["target"]) for c in report["contacts"]]
             return [change for change, *parts in pairs if not part or part in parts]
         if name == "crossings":
-            return [len(new_crossings(self._result, entry)) for entry in self._result.positions]
+            return [len(crossed_anew(self._result, entry)) for entry in self._result.positions]
         return [len(report["warnings"])] if name == "warnings" else [self._touching]
 
     @cached_property

@@ -11,7 +11,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import TracebackType
 
-from ..errors import Fault, FileError, RecipeError
+from ..base.errors import Fault, FileError, RecipeError
 from .locking import NEVER_WAIT, NOT_INHERITED, removes_open_files, try_lock
 
 # Seconds for which a batch job waits for the call that started it.

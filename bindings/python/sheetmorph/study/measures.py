@@ -10,13 +10,13 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats, Ints
-from ..errors import Fault, RecipeError
-from ..kernel import load_kernel
-from ..part_mesh import PartMesh
+from ..base.arrays import Floats, Ints
+from ..base.errors import Fault, RecipeError
+from ..base.kernel import load_kernel
+from ..base.part_mesh import PartMesh
+from ..measuring.distance import Gap
 from ..recipe.model import Model
 from .expressions import Expression
-from .gaps import Gap
 from .reading import Study
 from .spots import spot_of
 

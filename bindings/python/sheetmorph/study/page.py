@@ -6,10 +6,10 @@ from __future__ import annotations
 import base64
 import html
 import json
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
+from ..base.packaged import packaged_text
 from .rows import PICTURE, folder_name
 
 # Largest number of thumbnails; of more variants an even selection is shown.
@@ -18,7 +18,7 @@ _MOST_THUMBNAILS = 300
 
 def page_of(summary: dict[str, Any], out: Path) -> str:
     """Return the page as text; pictures come from the folders of the variants."""
-    text = resources.files("sheetmorph.study").joinpath("page.html").read_text("utf-8")
+    text = packaged_text(__package__, "page.html")
     runs = [run["run"] for run in summary["runs"]]
     step = max(1, -(-len(runs) // _MOST_THUMBNAILS))
     pictures = {run: _picture(out / folder_name(run) / PICTURE) for run in runs[::step]}

@@ -7,7 +7,7 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from ..errors import Fault, RecipeError
+from ..base.errors import Fault, RecipeError
 
 Step = str | int
 _STEP = re.compile(r'\[(\d+)\]|\[?"((?:[^"\\]|\\.)+)"\]?|([^.\[\]"]+)')

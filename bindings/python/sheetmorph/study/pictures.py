@@ -8,8 +8,8 @@ import zlib
 
 import numpy as np
 
-from ..answer import Answer
-from ..arrays import Codes, Floats, Ints
+from ..base.arrays import Codes, Floats, Ints
+from ..solving.answer import Answer
 
 _WIDTH, _HEIGHT = 192, 144
 _MARGIN = 8

@@ -9,19 +9,14 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-
-from ..arrays import Floats
-from ..errors import Fault, RecipeError
-from ..progress import Progress
-from ..recipe import (
-    check_pose,
-    check_with_meshes,
-    named_in,
-    prepare,
-    read_json,
-)
+from ..base.arrays import Floats
+from ..base.errors import Fault, RecipeError
+from ..base.progress import Progress
+from ..base.version import __version__
+from ..checking import check_pose, check_with_meshes, prepare
 from ..recipe.model import Model
 from ..recipe.parts import Parts
+from ..recipe.reading import named_in, read_json
 from ..recipe.structure import structural_faults
 from .certifying import STANDARD
 from .figures import FIGURES
@@ -42,8 +37,9 @@ class Plan:
     samples has the parameter values of every variant, in the order of the runs.
     """
 
-    def __init__(self, path: str | Path, progress: Progress | None = None):
-        self.study: Study = read_study(path)
+    def __init__(self, study: str | Path | dict[str, Any], progress: Progress | None = None):
+        self._is_in_memory = isinstance(study, dict)
+        self.study: Study = read_study(study)
         self.recipe: Any = read_json(self.study.recipe)
         if isinstance(self.recipe, dict) and self.recipe.get("repair"):
             what = "a study cannot repair elements"
@@ -64,7 +60,8 @@ class Plan:
     def files_read(self) -> list[Path]:
         """The study, its recipe and the files of its parts."""
         parts = (path for source in self.parts.sources for path in source.file.files_read)
-        return [self.study.path, self.study.recipe, *parts]
+        own = [] if self._is_in_memory else [self.study.path]
+        return [*own, self.study.recipe, *parts]
 
     @property
     def columns(self) -> list[str]:
@@ -139,14 +136,7 @@ class Plan:
             for source in self.parts.sources
         }
         meanings = [entry.meaning() for entry in self.study.parameters]
-        return [_FORMAT, _version(), self.recipe, files, meanings]
-
-
-def _version() -> str:
-    # Imported here, because the package is still incomplete at import time.
-    from .. import __version__
-
-    return __version__
+        return [_FORMAT, __version__, self.recipe, files, meanings]
 
 
 def _require_known_criteria(study: Study, measures: Measures) -> None:

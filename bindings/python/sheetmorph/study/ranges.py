@@ -9,8 +9,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ..errors import Fault, RecipeError
-from ..progress import Progress
+from ..base.errors import Fault, RecipeError
+from ..base.progress import Progress
 from .paths import value_at
 from .plan import Plan
 from .reading import Parameter

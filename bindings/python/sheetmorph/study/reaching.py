@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from ..errors import Caution, RecipeError
-from ..session import Result
+from ..base.errors import Caution, RecipeError
+from ..morph.session import Result
 from .certifying import failures_of, judged
 from .figures import FIGURES, Figures, live_report
 from .ranges import Limit, searched

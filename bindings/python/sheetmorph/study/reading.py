@@ -3,16 +3,16 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass, field, replace
 from functools import cache
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
+from ..base.errors import Fault, RecipeError
+from ..base.packaged import packaged_json
 from ..certifying import Criteria, read_criteria, shipped
-from ..errors import Fault, RecipeError
-from ..recipe import faults_against, named_in, read_json
+from ..recipe.reading import given, named_in
+from ..recipe.structure import faults_against
 from ..recipe.values import depth_faults
 from .expressions import Expression
 from .paths import Step, steps_of
@@ -97,15 +97,12 @@ class Study:
 @cache
 def study_schema() -> dict[str, Any]:
     """Return the published JSON Schema of the study."""
-    text = resources.files("sheetmorph").joinpath("study.schema.json").read_text("utf-8")
-    found: dict[str, Any] = json.loads(text)
-    return found
+    return packaged_json(__package__, "study.schema.json")
 
 
-def read_study(path: str | Path) -> Study:
-    """Read a study file. Raises RecipeError with all faults of its form."""
-    place = Path(path)
-    data = read_json(place)
+def read_study(study: str | Path | dict[str, Any]) -> Study:
+    """Read a study, from its file or in memory. Raises RecipeError with all faults of its form."""
+    data, place = given(study, "study")
     with named_in(place):
         return _study(place, data)
 

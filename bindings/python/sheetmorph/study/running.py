@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..errors import Fault, FileError, RecipeError
-from ..progress import Progress
-from ..words import counted
+from ..base.errors import Fault, FileError, RecipeError
+from ..base.progress import Progress
+from ..base.words import counted
+from . import ranges
 from .engines.dask import dask_driver
 from .engines.driving import Hopes
 from .engines.processes import processes_driver
@@ -20,7 +21,6 @@ from .engines.scripts import Call
 from .engines.slurm import ARRAY, END, submit
 from .engines.snakemake import FILE as SNAKEFILE
 from .engines.snakemake import write_snakefile
-from . import ranges
 from .leases import alone, among_others
 from .plan import Plan
 from .refusing import Refusals

@@ -10,8 +10,8 @@ import warnings
 from pathlib import Path
 
 
-from ..arrays import Floats
-from ..errors import Fault, FileError, RecipeError
+from ..base.arrays import Floats
+from ..base.errors import Fault, FileError, RecipeError
 from .reading import Parameter, Sampling, Study
 
 MOST_VARIANTS = 1_000_000

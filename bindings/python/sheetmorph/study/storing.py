@@ -18,7 +18,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from ..errors import FileError, OccupiedError
+from ..base.errors import FileError, OccupiedError
 from ..files.atomic import FileSet, flush, flush_folder, temporaries_of
 from .leases import LOCK, Lease, is_abandoned
 from .rows import FILE, Row, folder_name, read_row

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Floats
-from ..errors import Fault, RecipeError
+from ..base.arrays import Floats
+from ..base.errors import Fault, RecipeError
 from .blends import with_pose
 from .paths import value_at, with_value
 from .reading import Parameter

@@ -15,16 +15,16 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from ..base.errors import Fault, FileError, KernelError, RecipeError, fault_of
 from ..certifying import Certifier, Inputs
-from ..errors import Fault, FileError, KernelError, RecipeError, fault_of
+from ..checking import prepare
 from ..files.deck_file import DeckFile
+from ..files.places import Places
 from ..joint_files.following import JointSource, joint_sources
-from ..places import Places
-from ..recipe import prepare
+from ..morph.running import Writer, told_of_files
+from ..morph.session import Result, Session
 from ..recipe.parts import Parts, Source
-from ..report import as_written, make_report
-from ..running import Writer, told_of_files
-from ..session import Result, Session
+from ..reporting.report import as_written, make_report
 from .certifying import certificate, failures_of, judged
 from .figures import Figures, live_report
 from .measures import Measures, Scene

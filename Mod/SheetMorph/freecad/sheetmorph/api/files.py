@@ -185,8 +185,8 @@ def import_recipe(document, path: str | os.PathLike):
     path = Path(path)
     package = kernel.load()
     written = package.recipe.read_json(path)
-    read = package.recipe.prepare(written, path.parent)
-    recipe = with_sentences(with_names(package.recipe.with_ids(read)), written)
+    read = package.checking.prepare(written, path.parent)
+    recipe = with_sentences(with_names(package.checking.with_ids(read)), written)
     assembly = create_assembly(document)
     found = {}
     for entry in recipe["parts"]:

@@ -98,7 +98,7 @@ def preparation(part, **cures):
 
 
 def wanted_of(cures: dict):
-    """Return the cures as a sheetmorph.prepared_mesh.Wanted, or raise ValueError."""
+    """Return the cures as a sheetmorph.files.prepared_mesh.Wanted, or raise ValueError."""
     module = prepared_module()
     unknown = sorted(set(cures) - {"weld", "edge", "rims", "scale"})
     if unknown:
@@ -203,7 +203,7 @@ def splitting_module():
 def prepared_module():
     """Return the preparation module of the package."""
     kernel.load()
-    from sheetmorph import prepared_mesh
+    from sheetmorph.files import prepared_mesh
 
     return prepared_mesh
 

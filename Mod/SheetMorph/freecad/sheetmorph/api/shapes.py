@@ -20,7 +20,7 @@ def deformed_shape(part):
     positions = solving.deform(assembly_of(part))[part.Name]
     _require_unfolded(part, positions)
     shape, body = shapes.carried_shape(part, positions)
-    faults = kernel.load().shape_report.body_faults(body)
+    faults = kernel.load().reporting.shapes.body_faults(body)
     if faults:
         raise MorphError(f"The shape of part '{part.Label}': {'; '.join(faults)}.")
     feature = part.DeformedShape
@@ -36,7 +36,7 @@ def deformed_shape(part):
 def _require_unfolded(part, positions) -> None:
     package, rest = kernel.load(), read_rest(part)
     mesh = package.PartMesh(rest.points, rest.triangles)
-    fold = package.shape_report.fold_of(kernel.core(), mesh, positions)
+    fold = package.reporting.shapes.fold_of(kernel.core(), mesh, positions)
     if fold:
         raise MorphError(
             f"The mesh of part '{part.Label}' folds ({fold}), so the faces of its "

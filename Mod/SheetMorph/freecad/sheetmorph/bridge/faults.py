@@ -34,7 +34,7 @@ def fault_of(error: Exception | str, names: Names | None = None) -> Fault:
         return Fault(sentence or f"{type(error).__name__} without a message.")
     first = several[0]
     if first is error:
-        first = kernel.load().errors.fault_of(error, todo="", where="")
+        first = kernel.load().base.errors.fault_of(error, todo="", where="")
     more = f" (and {len(several) - 1} more)" if len(several) > 1 else ""
     return Fault(f"{first.in_brief()}{more}", *objects_in(first, names or {}), code=first.code)
 

@@ -59,7 +59,7 @@ def core() -> ModuleType:
 def labels_module() -> ModuleType:
     """Return the module of the package that knows what files call parts of a mesh."""
     load()
-    return importlib.import_module("sheetmorph.labels")
+    return importlib.import_module("sheetmorph.base.labels")
 
 
 def selecting_module() -> ModuleType:
@@ -89,7 +89,7 @@ def certifying() -> ModuleType:
 def element_measures() -> ModuleType:
     """Return the module of the package that measures shell elements."""
     load()
-    return importlib.import_module("sheetmorph.certifying.quality")
+    return importlib.import_module("sheetmorph.measuring.quality")
 
 
 def flat() -> ModuleType:
@@ -101,7 +101,7 @@ def flat() -> ModuleType:
 def stretches() -> type:
     """Return the class of the package that measures stretch, a mesh at a time."""
     load()
-    return importlib.import_module("sheetmorph.strain").PrincipalStretches
+    return importlib.import_module("sheetmorph.measuring.strain").PrincipalStretches
 
 
 def studies() -> ModuleType:

@@ -88,7 +88,7 @@ class Kept:
     frame: Frame
     features: list[dict]  # exact features; empty for most parts
     is_exact: bool  # in double precision; else that of the mesh object, in single precision
-    labels: object = None  # a sheetmorph.labels.Labels with the names in the file
+    labels: object = None  # a sheetmorph.base.labels.Labels with the names in the file
     rows: np.ndarray | None = None  # as in RestPart
     faces: np.ndarray | None = None
 

@@ -246,7 +246,7 @@ class TestDocument(FeatureTest):
         self.rich()
         os.makedirs(os.path.join(self.folder, "recipe"))
         path = api.export_recipe(self.assembly, os.path.join(self.folder, "recipe", "all.json"))
-        kernel.load().recipe.validate(kernel.load().recipe.read_json(path), path.parent)
+        kernel.load().checking.validate(kernel.load().recipe.read_json(path), path.parent)
         again = api.import_recipe(self.new_document(), path)
         self.assertEqual(solving.read_morph(again).recipe, solving.read_morph(self.assembly).recipe)
         self.assertEqual(recipes.pose_of(again), recipes.pose_of(self.assembly))

@@ -41,7 +41,7 @@ class Wish:
 
 def units() -> dict[str, float]:
     """Return the units other than mm that a mesh may have, with their length in mm."""
-    from sheetmorph.file_unit import UNITS
+    from sheetmorph.base.file_unit import UNITS
 
     return {name: scale for name, scale in UNITS.items() if scale != 1.0}
 
@@ -112,7 +112,7 @@ def as_text(diagnosis: dict) -> str:
 
 def summary(made) -> str:
     """Return the effect of a preparation (`sheetmorph.PreparedMesh`) as rich text."""
-    from sheetmorph.words import counted, preparation
+    from sheetmorph.base.words import counted, preparation
 
     done, fresh = made.preparation, made.preparation["remesh"]
     lines = [f"<b>{len(made.triangles):,} triangles</b>, {len(made.points):,} vertices"]

@@ -70,8 +70,8 @@ class Stretch:
     def __init__(self, stretches, meshes: dict[str, tuple], regions: Iterable[Region] = ()):
         """Prepare the measure for parts at rest.
 
-        `stretches` is `sheetmorph.strain.PrincipalStretches`. `meshes` maps part names to points at
-        rest (n, 3) and triangles (m, 3).
+        `stretches` is `PrincipalStretches` of `sheetmorph.measuring.strain`. `meshes` maps part
+        names to points at rest (n, 3) and triangles (m, 3).
         """
         self._stretches = stretches
         self._parts = {

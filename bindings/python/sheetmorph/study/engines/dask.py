@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from ...errors import Fault, RecipeError
+from ...base.errors import Fault, RecipeError
 from .driving import Driver, Hopes, Pool
 
 # Seconds in which a restarted scheduler must answer.

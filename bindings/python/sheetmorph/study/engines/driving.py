@@ -9,7 +9,7 @@ from concurrent.futures import FIRST_COMPLETED, CancelledError, Executor, Future
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 
-from ...errors import Fault, RecipeError
+from ...base.errors import Fault, RecipeError
 from ..working import Cost, Task, attempt
 
 _TRIES, _SUSPECT = 4, 2

@@ -6,7 +6,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 
-from ...errors import Fault, RecipeError
+from ...base.errors import Fault, RecipeError
 from .scripts import Call, write_script
 
 ARRAY, END = "study.sbatch", "summary.sbatch"

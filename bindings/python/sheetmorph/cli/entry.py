@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The entry of the command line: it runs a command and turns every error into a sentence."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import importlib
+import signal
+import traceback
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from types import FrameType
+
+from ..base.errors import FileError, KernelError, RecipeError
+from ..decks.dyna import assumed_options
+from ..files.atomic import FileSet
+from ..files.signals import stopping_signals
+from .arguments import parser
+from .output import as_json, complain, say
+from .parsing import STDOUT
+
+DONE, BAD_INPUT, NOT_CERTIFIED = 0, 2, 3
+_INTERRUPTED = 130
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command and return its exit status.
+
+    The status is 0 if done, 2 for bad input, 3 for a failed certificate or run, and 130 if
+    interrupted.
+    """
+    wanted = parser().parse_args(arguments)
+    files = FileSet(wanted.command, force=getattr(wanted, "force", False))
+    numbers = [number for number in stopping_signals() if number != signal.SIGINT]
+    previous = {number: signal.signal(number, _interrupt) for number in numbers}
+    try:
+        with _deck_options(wanted):
+            say(_command(wanted.command)(wanted, files))
+        return DONE
+    except KeyboardInterrupt as stopped:
+        complain(f"interrupted: {str(stopped) or _state(files)}")
+        return _INTERRUPTED
+    except Exception as error:  # This is the edge of the program: every error becomes a sentence.
+        text, status = _explain(error, _input_of(wanted), files)
+        if wanted.command == "certify" and wanted.json == STDOUT and hasattr(error, "certificate"):
+            say(as_json(error.certificate))
+        complain(text)
+        return status
+    finally:
+        for number, handler in previous.items():
+            signal.signal(number, handler)
+
+
+def _command(name: str) -> Callable[[argparse.Namespace, FileSet], list[str]]:
+    """Return the function of a command. Its module loads only now: --help answers at once."""
+    module = importlib.import_module(f"{__package__}.{name}")
+    found: Callable[[argparse.Namespace, FileSet], list[str]] = module.execute
+    return found
+
+
+def _deck_options(wanted: argparse.Namespace) -> contextlib.AbstractContextManager[None]:
+    """Return the context that applies the `--keyword` option to decks."""
+    if not getattr(wanted, "keyword", None):
+        return contextlib.nullcontext()
+    return assumed_options(wanted.keyword)
+
+
+def _input_of(wanted: argparse.Namespace) -> str:
+    files = getattr(wanted, "files", None)
+    found: str = (
+        files[0] if files else getattr(wanted, "recipe", getattr(wanted, "file", wanted.command))
+    )
+    return found
+
+
+def _interrupt(_number: int, _frame: FrameType | None) -> None:
+    raise KeyboardInterrupt
+
+
+def _state(files: FileSet) -> str:
+    return "all files were written" if files.committed else "no part was written"
+
+
+def _explain(error: Exception, recipe: str, files: FileSet) -> tuple[str, int]:
+    """Return the message for an error and the exit status."""
+    if isinstance(error, (RecipeError, FileError, KernelError)):
+        return str(error), BAD_INPUT
+    if isinstance(error, OSError):
+        place = error.filename or recipe
+        return f"{place}: {error.strerror or error}; check the path and its rights", BAD_INPUT
+    if isinstance(error, MemoryError):
+        return f"{recipe}: not enough memory; {_state(files)}", NOT_CERTIFIED
+    # An earlier run wrote the files, so the message says nothing about writing.
+    if getattr(error, "certificate", None) is not None:
+        return f"{recipe}: {error}", NOT_CERTIFIED
+    # The kernel's SolverError, or a certificate that failed.
+    if isinstance(error, RuntimeError) and type(error).__module__.startswith("sheetmorph"):
+        return f"{recipe}: {error}; {_state(files)}", NOT_CERTIFIED
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    what = " ".join(f"{type(error).__name__}: {error}".split())
+    place = f"{Path(last.filename).name}, line {last.lineno}"
+    text = f"{recipe}: SheetMorph has a bug ({what}, {place}); {_state(files)}; please report"
+    return f"{text} it with this recipe", NOT_CERTIFIED
