@@ -66,3 +66,10 @@ def test_a_name_that_never_was_is_refused():
 def test_completion_shows_the_public_face():
     assert set(dir(sheetmorph)) == {*sheetmorph.__all__, "__version__"}
     assert all(hasattr(sheetmorph, name) for name in dir(sheetmorph))
+
+
+@pytest.mark.parametrize("function", [sheetmorph.run, sheetmorph.check, sheetmorph.resolve])
+def test_the_recipe_may_have_its_old_keyword(function, tmp_path):
+    others = {} if function is sheetmorph.resolve else {"out_dir": tmp_path / "out"}
+    with pytest.raises(sheetmorph.FileError, match="no.json"):
+        function(recipe_path=tmp_path / "no.json", **others)

@@ -15,7 +15,6 @@ import sheetmorph
 import sheetmorph.decks
 from sheetmorph.cli import main
 from sheetmorph.base.kernel import load_kernel
-from sheetmorph.recipe.structure import schema
 from sheetmorph.reporting.report import report_schema
 
 DOCUMENTS = Path(__file__).resolve().parents[2] / "resources" / "docs"

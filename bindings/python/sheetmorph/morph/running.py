@@ -14,6 +14,7 @@ from typing import Any
 
 from ..base.arrays import Floats
 from ..base.errors import Caution, Fault, KernelError, RecipeError
+from ..base.old_keyword import old_keyword
 from ..base.progress import Progress
 from ..certifying.repair import criteria_of, repaired
 from ..checking import prepare, with_ids
@@ -61,6 +62,7 @@ class CertificateError(RuntimeError):
         self.report = report
 
 
+@old_keyword("recipe_path", "recipe")
 def check(
     recipe: str | Path | dict[str, Any],
     *,
@@ -128,6 +130,7 @@ def _tried(morph: _Morph, pose: dict[str, Any] | None, folder: Path, lead: str) 
     return [warning.after(lead) for warning in report["warnings"]]
 
 
+@old_keyword("recipe_path", "recipe")
 def resolve(
     recipe: str | Path | dict[str, Any],
     progress: Progress | None = None,
@@ -165,6 +168,7 @@ def resolve(
     return with_ids(parts)
 
 
+@old_keyword("recipe_path", "recipe")
 def run(
     recipe: str | Path | dict[str, Any],
     out_dir: str | Path,
