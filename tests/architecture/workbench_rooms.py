@@ -10,11 +10,12 @@ MAY_IMPORT = {
     "garbage": {"qt"},
     "generations": set(),
     "tools": set(),
-    "objects": {"doors", "kinds", "tools"},
+    "objects": {"doors", "generations", "kinds", "tools"},
     "bridge": {"kinds", "objects", "reporting", "tools"},
     "scene": {"bridge", "generations", "preferences", "qt", "tools"},
-    "editing": {"kinds", "qt"},
-    "interaction": {"actions", "api", "bridge", "garbage", "objects", "qt", "scene", "tools"},
+    "editing": {"generations", "kinds", "qt"},
+    "interaction": {"actions", "api", "bridge", "garbage", "generations", "objects", "qt"}
+    | {"scene", "tools"},
 }
 """By room, a folder or a file at the top of the workbench. The others only stand in no circle."""
 

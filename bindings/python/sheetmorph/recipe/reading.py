@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from ..base.errors import Fault, RecipeError
+from ..files import suffixes, unpacked_name
 from ..files.comments import plain_json
 from ..files.reading import read_text
 from .lines import Lines, repeated_key
@@ -78,8 +79,6 @@ def _with_lines(path: str | Path, faults: Sequence[Fault]) -> list[Fault]:
 
 def _refuse_part(path: str | Path) -> None:
     """Raise RecipeError for a mesh, deck or CAD file in place of a recipe."""
-    from ..files import suffixes, unpacked_name
-
     if unpacked_name(path).suffix.lower() in suffixes():
         name = Path(path).name
         what = "is a part file, not a recipe"

@@ -19,7 +19,7 @@ namespace sheetmorph::assembly
 namespace
 {
 
-constexpr std::size_t most_names = 4;
+constexpr std::size_t most_names = 4;  // chosen: a message stays on one line
 
 // "beam', 'box' and '3 more": messages put it between quotes.
 std::string name_of(const std::vector<Subject>& parts)
