@@ -170,16 +170,16 @@ TEST(AssemblyChecks, EveryWrongRelationIsNamed)
 TEST(AssemblyChecks, EveryWrongPropagationIsNamed)
 {
     expect_refused({
-        {"from 1 to 5", [](Assembly& a) { a.propagation.levels = 0; }},
+        {"1 to 5 levels", [](Assembly& a) { a.propagation.levels = 0; }},
         {"smoothness", [](Assembly& a) { a.propagation.smoothness = 0.0; }},
         {"smoothness", [](Assembly& a) { a.propagation.smoothness = 1e7; }},
-        {"as a whole",
+        {"the propagation 'whole'",
          [](Assembly& a)
          {
              a.propagation.type = PropagationType::whole;
              a.energy = Energy::steel;
          }},
-        {"as a whole",
+        {"the propagation 'whole'",
          [](Assembly& a)
          {
              a.propagation.type = PropagationType::whole;

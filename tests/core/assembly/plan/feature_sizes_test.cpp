@@ -87,7 +87,7 @@ TEST(FeatureSizes, OfWhatIsNoHoleSlotOrCylinderAreRefused)
     frame.assembly.features[0].size = 20.0;
     frame.assembly.features[0].vertices.resize(9);
     EXPECT_THAT(refusal(frame), HasSubstr("part 'plate': feature 'hole0' has a size, but its "
-                                          "vertices are no hole, slot or cylinder"));
+                                          "vertices are not a hole, slot or cylinder"));
 }
 
 TEST(FeatureSizes, ThatNoHoleCanHaveAreRefused)

@@ -82,7 +82,7 @@ TEST(FeatureSizes, ASizeThatWouldTurnTrianglesOverIsRefusedWithTheLimit)
         said = refused.what();
     }
     ASSERT_THAT(said, AllOf(HasSubstr("hole1"), HasSubstr("180"), HasSubstr("largest")));
-    const double limit = std::stod(said.substr(said.find("reached is ") + 11));
+    const double limit = std::stod(said.substr(said.find("possible is ") + 12));
     EXPECT_GT(limit, 75.0);   // of a strip
     EXPECT_LT(limit, 100.0);  // as wide as this
     one.targets.sizes[1] = limit;
