@@ -186,7 +186,7 @@ def test_a_piece_that_nothing_holds_is_shown_and_left_at_rest():
     clear_report_view()  # what FreeCAD says about a recompute that failed
     look()
     yield from open_panel()
-    yield from until(lambda: "nothing holds" in sentence(), "the sentence")
+    yield from until(lambda: "nothing constrains" in sentence(), "the sentence")
     assert child("mend_fault").text() == "Leave at rest"
     yield from click_widget(child("show_fault"))
     picture("fault-loose")
@@ -207,7 +207,7 @@ def test_a_region_that_cannot_be_is_refused_in_its_panel():
     yield from click_point((60.5, 12.0, 0))
     with patience():
         yield from press("OK")
-        yield from until(lambda: "torn" in sentence(), "the sentence")
+        yield from until(lambda: "touches both" in sentence(), "the sentence")
     assert panel().objectName() == "region" and child("show_fault").isVisible()
     assert "Traceback" not in report_view(), report_view()
     picture("fault-refused")

@@ -168,7 +168,7 @@ class TestMending(support.DocumentTest):
         self.assertEqual(model.failure_of(assembly), "")
         api.set_unheld(assembly, "refuse")
         self.document.recompute()
-        self.assertIn("nothing holds", model.failure_of(assembly))
+        self.assertIn("nothing constrains", model.failure_of(assembly))
         region = api.hold_loose_pieces(part)
         self.assertEqual(api.vertices(region), list(range(len(points), len(both))))
         self.document.recompute()
