@@ -45,7 +45,7 @@ def test_a_closed_plate_shows_its_thickness_and_its_holes_become_features():
     yield from press_tool("Thickness…")
     assert is_drawn()
     shown = child("message").text()
-    assert "<b>2 mm</b>" in shown and "skins: 2" in shown and "rigid: 1" in shown
+    assert "<b>2 mm</b>" in shown and "skins: 2" in shown and "rigid): 1" in shown
     picture("thickness")
     yield from press("Mark Holes as Form Features")
     holes = regions("form feature")
