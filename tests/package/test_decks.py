@@ -173,7 +173,7 @@ def test_an_instance_is_shifted_before_it_is_turned():
 def test_a_part_in_two_places_is_not_moved():
     twice = b"*Instance, name=two, part=plate\n*End Instance\n*End Assembly"
     deck = read(ABAQUS.replace(b"*End Assembly", twice), "a.inp")
-    assert set(deck.raw.locked.values()) == {"its part PLATE stands in 2 places"}
+    assert set(deck.raw.locked.values()) == {"its part PLATE has 2 instances"}
 
 
 def test_the_last_definition_of_a_node_counts():

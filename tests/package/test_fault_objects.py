@@ -315,7 +315,7 @@ def test_a_panel_reads_how_many_vertices_and_a_console_which():
     with pytest.raises(RecipeError) as refused:
         Session(found, meshes(found, False))
     (fault,) = refused.value.faults
-    assert "both move 2 vertices (120, 121); take" in str(fault)
-    assert "both move 2 vertices; take" in fault.in_brief()
+    assert "both move 2 vertices (120, 121); remove" in str(fault)
+    assert "both move 2 vertices; remove" in fault.in_brief()
     assert fault.vertices == (120, 121) and fault.code == "overlap"
     assert Fault("w", "x", "y").in_brief() == "w: x; y"

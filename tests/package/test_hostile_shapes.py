@@ -137,7 +137,7 @@ def test_faces_that_cannot_be_read_are_told(samples: Path, tmp_path: Path):
     damaged.write_text(text.replace(f"#{surface},.F.)", "#99999,.F.)"), "ascii")
     (solid,) = re.findall(r"(#\d+) = MANIFOLD_SOLID_BREP", text)
     told = "1 face of the file is missing, of {}: OpenCASCADE cannot read them; "
-    told += "export it again"
+    told += "export the file again"
     assert told.format(solid) in read_part(damaged, MESH).missing
     named = damaged.read_text("ascii").replace(
         "MANIFOLD_SOLID_BREP(''", "MANIFOLD_SOLID_BREP('lid'"

@@ -151,5 +151,5 @@ def test_a_deck_without_begin_bulk_is_read(tmp_path: Path):
 def test_an_include_that_is_not_there_is_named(deck: Path):
     text = NASTRAN.replace(b"GRID,50,,-1.0,0.,0.", b"INCLUDE 'nodes.blk'")
     deck.write_bytes(text)
-    with pytest.raises(FileError, match='the include "nodes.blk" is not there'):
+    with pytest.raises(FileError, match='the include "nodes.blk" does not exist'):
         read_part(deck)

@@ -71,5 +71,5 @@ def test_completion_shows_the_public_face():
 @pytest.mark.parametrize("function", [sheetmorph.run, sheetmorph.check, sheetmorph.resolve])
 def test_the_recipe_may_have_its_old_keyword(function, tmp_path):
     others = {} if function is sheetmorph.resolve else {"out_dir": tmp_path / "out"}
-    with pytest.raises(sheetmorph.FileError, match="no.json"):
+    with pytest.raises(sheetmorph.RecipeError, match="no.json"):
         function(recipe_path=tmp_path / "no.json", **others)

@@ -18,7 +18,7 @@ SHARED = Path(__file__).parents[3] / "shared" / "data" / "09-decks"
 CALCULIX = Path("/usr/share/doc/calculix-ccx-test/examples/test")
 # What is refused, as people read it, and of which format.
 REASONS = {
-    r'the include "[^"]*" is not there': "an include is not there",
+    r'the include "[^"]*" does not exist': "an include is not there",
     r"a deck of several models is not read": "several models in one deck",
     r"is defined twice, differently": "defined twice, differently",
     r"is not a whole number": "a field that is no number",
@@ -33,7 +33,7 @@ def outcome(path: Path, stand_ins: bool = False) -> str:
         assert error.line is not None and error.todo
         found = [name for rule, name in REASONS.items() if re.search(rule, error.what)]
         assert found, str(error)
-        missing = re.search(r'the include "([^"]*)" is not there', error.what)
+        missing = re.search(r'the include "([^"]*)" does not exist', error.what)
         if stand_ins and missing:
             (path.parent / missing.group(1)).write_bytes(b"")
             return outcome(path, stand_ins)

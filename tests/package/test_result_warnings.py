@@ -127,7 +127,7 @@ def test_a_cut_is_found_wherever_it_runs(seed: int):
         entry["vertices"] = place[entry["vertices"]].tolist()
     recipe["pose"] = {"end": {"translation": (turn @ [0.0, 0.0, 3.0]).tolist()}}
     (told,) = [text for text in warnings(recipe, cut) if "is cut" in text]
-    assert f"{len(seam)} vertices part" in told and "by up to 3 mm" in told and '"weld"' in told
+    assert f"{len(seam)} vertices separate" in told and "by up to 3 mm" in told and '"weld"' in told
     assert Cuts(mesh).tear(mesh.points + [0, 0, 1]) is None
 
 

@@ -238,7 +238,7 @@ def test_a_variant_that_kills_its_workers_is_given_up_and_no_other_one():
     tasks = [Task("study", "out", run, "") for run in range(9)]
     Driver(opened, (BrokenProcessPool,), hopes).drive(tasks)
     assert sorted(finished) == [0, 1, 2, 4, 5, 6, 7, 8]
-    assert lost == [(3, "its worker died 4 times (BrokenProcessPool)")]
+    assert lost == [(3, "its worker process ended 4 times (BrokenProcessPool)")]
 
 
 @pytest.mark.parametrize(

@@ -119,7 +119,7 @@ def test_finished_variants_of_other_settings_are_kept_and_come_back(study: Path)
     first = contents(out)
     with_seed(study, 2)
     told = run_study(study, out)
-    assert f"{COUNT} finished variants of other settings stay" in told[1]
+    assert f"{COUNT} finished variants with other settings stay" in told[1]
     with_seed(study, 1)
     assert "0 computed" in run_study(study, out)[0]
     assert {name: data for name, data in contents(out).items() if name[0] != "."} == first

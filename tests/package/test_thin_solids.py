@@ -97,8 +97,8 @@ def test_what_is_no_thin_solid_is_told():
 @pytest.mark.parametrize(
     "thin, told",
     [
-        (True, 'true is not "auto" (the default of CAD files), false (the default of others) or'),
-        ("yes", '"yes" is not "auto" (the default of CAD files), false'),
+        (True, 'true is not valid; give "auto" (the default of CAD files), false (the default of others) or'),
+        ("yes", '"yes" is not valid; give "auto" (the default of CAD files), false'),
         ({"thickness": 0}, "0 is not valid"),
         ({"thickness": -2.0}, "-2.0 is not valid"),
         ({"thick": 2.0}, "thickness"),

@@ -98,7 +98,7 @@ def test_names_of_includes_are_utf_8_or_latin_1(deck: str, in_deck: str, on_disk
 
 def test_an_include_that_is_not_there_is_named_as_people_wrote_it(tmp_path: Path):
     (tmp_path / "a.k").write_bytes(INCLUDES["a.k"][0] % NAME.encode())
-    with pytest.raises(FileError, match='the include "blech ü.inc" is not there'):
+    with pytest.raises(FileError, match='the include "blech ü.inc" does not exist'):
         read_deck(tmp_path / "a.k")
 
 
