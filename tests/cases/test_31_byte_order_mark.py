@@ -21,4 +21,4 @@ def test_a_mark_at_the_beginning_of_a_file_changes_nothing(case: Callable[[str],
 
 def test_a_mark_further_on_is_refused_with_its_line(case: Callable[[str], Path]) -> None:
     done = sheetmorph("doctor", "midbom.obj", folder=case("31"))
-    assert done.status == 2 and "line 16: a byte order mark" in done.err
+    assert done.status == 2 and "line 16: there is a byte order mark" in done.err
