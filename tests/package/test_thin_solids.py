@@ -97,7 +97,7 @@ def test_what_is_no_thin_solid_is_told():
 @pytest.mark.parametrize(
     "thin, told",
     [
-        (True, 'true is not valid; give "auto" (the default of CAD files), false (the default of others) or'),
+        (True, 'true is not valid; give "auto" (the default of CAD files), false (the default of'),
         ("yes", '"yes" is not valid; give "auto" (the default of CAD files), false'),
         ({"thickness": 0}, "0 is not valid"),
         ({"thickness": -2.0}, "-2.0 is not valid"),

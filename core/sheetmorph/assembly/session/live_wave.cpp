@@ -12,8 +12,9 @@ namespace sheetmorph::assembly
 namespace
 {
 
-// Sheets are placed at the same time if they have this many vertices together. Chosen, not measured:
-// estimated at 20 ns a vertex, 200 microseconds, several times as long as waking a thread.
+// Sheets are placed at the same time if they have this many vertices together. Chosen, not
+// measured: estimated at 20 ns a vertex, 200 microseconds, several times as long as waking a
+// thread.
 constexpr int many_vertices = 10000;
 
 }  // namespace

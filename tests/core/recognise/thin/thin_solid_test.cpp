@@ -229,7 +229,8 @@ TEST(ThinSolid, BlocksBarsBallsAndRingsAreNone)
     EXPECT_THAT(why_not(shapes::box(6, {100, 4, 4})), HasSubstr("of its surface are two skins"));
     EXPECT_THAT(why_not(shapes::box(6, {100, 100, 20})), HasSubstr("a tenth of its size"));
     EXPECT_THAT(why_not(shapes::sphere(4, 20.0)), HasSubstr("of its surface are two skins"));
-    EXPECT_THAT(why_not(shapes::torus(40, 20, 60.0, 3.0)), HasSubstr("of its surface are two skins"));
+    EXPECT_THAT(why_not(shapes::torus(40, 20, 60.0, 3.0)),
+                HasSubstr("of its surface are two skins"));
 }
 
 TEST(ThinSolid, AnOpenOrTornSurfaceIsNone)
