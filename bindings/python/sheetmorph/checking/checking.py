@@ -62,8 +62,8 @@ def prepare(recipe: Any, base: str | Path, progress: Progress | None = None) -> 
         raise RecipeError(faults)
     parts.resolved = _resolved(recipe, model, parts.meshes)
     if asked_sections(recipe):
-        told = in_file_ids(parts.resolved.recipe, parts.meshes)
-        parts.found = search(told, find_parts(parts), connections_of(parts), progress)
+        with_file_ids = in_file_ids(parts.resolved.recipe, parts.meshes)
+        parts.found = search(with_file_ids, find_parts(parts), connections_of(parts), progress)
     return parts
 
 

@@ -40,8 +40,8 @@ def _summary(found: dict[str, Any], folder: str) -> list[str]:
         (len(found["contacts"]), "contact", "contacts"),
         (joints, "joint", "joints"),
     )
-    told = [counted(*count) for count in counts if count[0]]
-    return [f"{folder}: certified by {found['criteria']['name']}: {', '.join(told)}"]
+    contents = [counted(*count) for count in counts if count[0]]
+    return [f"{folder}: certified by {found['criteria']['name']}: {', '.join(contents)}"]
 
 
 def require_criteria(wanted: argparse.Namespace) -> None:

@@ -102,7 +102,7 @@ def wanted_of(cures: dict):
     module = prepared_module()
     unknown = sorted(set(cures) - {"weld", "edge", "rims", "scale"})
     if unknown:
-        raise ValueError(f"There is no repair '{unknown[0]}'; use weld, edge, rims or scale.")
+        raise ValueError(f"Unknown repair '{unknown[0]}'; use weld, edge, rims or scale.")
     rims = cures.get("rims", "polygon")
     if rims not in module.RIMS:
         raise ValueError(f"Rims cannot become '{rims}'; use {' or '.join(map(repr, module.RIMS))}.")
