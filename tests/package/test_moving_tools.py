@@ -4,8 +4,7 @@
 import numpy as np
 import pytest
 from freecad.sheetmorph.tools.grabbing import grab
-from freecad.sheetmorph.tools.latest import Latest
-from freecad.sheetmorph.tools.motion import Motion
+from freecad.sheetmorph.tools.motion import Motion, Moving
 from freecad.sheetmorph.tools.part_mesh import Ray
 from freecad.sheetmorph.tools.updating import (
     AUTOMATIC,
@@ -78,17 +77,38 @@ def test_a_shift_adds_up():
     assert Motion((1.0, 0.0, 0.0)).shifted((0.5, 0.0, -2.00001)).translation == (1.5, 0.0, -2.0)
 
 
-def test_of_what_is_asked_meanwhile_only_the_last_counts():
-    latest = Latest()
-    assert latest.ask("a") == "a"
-    assert latest.ask("b") is None and latest.ask("c") is None
-    assert latest.is_waiting
-    assert latest.finish() == "c"
-    assert latest.is_busy and not latest.is_waiting
-    latest.ask("d")
-    latest.drop()
-    assert latest.finish() is None
-    assert latest.ask("e") == "e"
+def test_every_observer_follows_a_motion_until_it_leaves():
+    moving, told = Moving(lambda name: (float(len(name)), 0.0, 0.0)), []
+
+    def observer(now, before):
+        told.append((now.name, now.motion, before))
+
+    moving.observe(observer)
+    up, higher = Motion((0.0, 0.0, 5.0)), Motion((0.0, 0.0, 7.0))
+    moving.choose("Tip", up)
+    moving.set(up)  # which is no change
+    moving.set(higher)
+    moving.leave(observer)
+    moving.set(up)
+    assert told == [("Tip", up, None), ("Tip", higher, up)]
+
+
+def test_an_observer_may_set_the_motion_again():
+    """As an expression does, which drives a translation."""
+    moving, drawn = Moving(lambda name: (0.0, 0.0, 0.0)), []
+    moving.observe(lambda now, _: now.set(Motion((0.0, 0.0, 3.0))))
+    moving.observe(lambda now, _: drawn.append(now.motion.translation))
+    moving.set(Motion((9.0, 0.0, 0.0)))
+    assert set(drawn) == {(0.0, 0.0, 3.0)}
+
+
+def test_the_pivot_is_the_centroid_unless_the_motion_has_one():
+    moving = Moving(lambda name: {"Tip": (1.0, 2.0, 3.0)}[name])
+    moving.choose("Tip", Motion((0.0, 0.0, 5.0), angle=30.0), is_free=True)
+    assert (moving.pivot, moving.place) == ((1.0, 2.0, 3.0), (1.0, 2.0, 8.0))
+    assert moving.told == Motion((0.0, 0.0, 5.0)), "the sheet turns a free handle"
+    moving.choose("Other", Motion((0.0, 0.0, 5.0), angle=30.0, pivot=(4.0, 0.0, 0.0)))
+    assert moving.place == (4.0, 0.0, 5.0) and moving.told is moving.motion
 
 
 def test_the_vertex_under_the_mouse_is_that_of_the_part_in_front():

@@ -3,8 +3,7 @@
 
 from dataclasses import replace
 
-from freecad.sheetmorph.tools.motion import Motion
-from freecad.sheetmorph.tools.pulling import Pull
+from freecad.sheetmorph.tools.motion import Motion, Pull
 
 START = Motion((1.0, 0.0, 2.0))
 

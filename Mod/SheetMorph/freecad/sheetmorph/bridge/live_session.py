@@ -28,6 +28,7 @@ from freecad.sheetmorph.bridge.solving import (
 )
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.reporting import Progress
+from freecad.sheetmorph.tools.motion import Moving
 from freecad.sheetmorph.tools.poses import Pose
 
 
@@ -110,6 +111,7 @@ class LiveSession:
             held = self._morph.is_held()
             self._session = self._cache.session(self._morph) if held else None
             self._live = self._session and kernel.load().LiveFrames(self._session)
+            self._pose: Pose = self._morph.pose
         except FAILURES as error:
             raise MorphError(fault_of(error)) from error
 
@@ -125,8 +127,14 @@ class LiveSession:
 
     def ask(self, moved: Iterable[str] = (), exact: bool = False) -> Question:
         """Return the request for the document's pose; `moved` has document object names."""
-        pose = recipes.pose_of(self._assembly, self.names)
-        return Question(pose, tuple(self.names[name] for name in moved), exact)
+        self._pose = recipes.pose_of(self._assembly, self.names)
+        return Question(self._pose, tuple(self.names[name] for name in moved), exact)
+
+    def follow(self, moving: Moving) -> Question:
+        """Return the request for the last pose read, with another motion of one handle."""
+        name = self.names[moving.name]
+        self._pose = {**self._pose, name: moving.told}
+        return Question(self._pose, (name,))
 
     def posed(self, pose: Pose) -> Morph:
         """Return the morph of this session in a pose."""

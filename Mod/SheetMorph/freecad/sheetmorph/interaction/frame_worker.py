@@ -11,7 +11,6 @@ from freecad.sheetmorph.bridge.faults import fault_of
 from freecad.sheetmorph.garbage import collecting
 from freecad.sheetmorph.objects.errors import Fault
 from freecad.sheetmorph.qt import QtCore, translate
-from freecad.sheetmorph.tools.latest import Latest
 
 NICENESS = 10  # of 19: a thread at 0 gets ten times as much processor time
 ENDING: set = set()
@@ -35,7 +34,7 @@ class FrameWorker(QtCore.QObject):
     def __init__(self, compute, listener):
         super().__init__()
         self._compute, self._listener = compute, listener
-        self._latest = Latest()
+        self._waiting, self._is_busy = None, False
         self._thread = futures.ThreadPoolExecutor(max_workers=1, initializer=give_way)
         self._is_running = True
         collecting().hold()
@@ -47,7 +46,7 @@ class FrameWorker(QtCore.QObject):
     @property
     def is_idle(self) -> bool:
         """Whether no computation with a listener is running."""
-        return self._listener is None or not self._latest.is_busy
+        return self._listener is None or not self._is_busy
 
     @property
     def is_free(self) -> bool:
@@ -55,11 +54,14 @@ class FrameWorker(QtCore.QObject):
 
         It does while there is a listener and no newer question waits.
         """
-        return self._listener is not None and not self._latest.is_waiting
+        return self._listener is not None and self._waiting is None
 
     def ask(self, question) -> None:
         """Start to answer a question, or let it wait in place of another one."""
-        self._begin(self._latest.ask(question))
+        if self._is_busy:
+            self._waiting = question
+        else:
+            self._begin(question)
 
     def tell(self, task: str) -> None:
         """Report the present task, once each; runs in the worker thread."""
@@ -69,8 +71,7 @@ class FrameWorker(QtCore.QObject):
 
     def hush(self) -> None:
         """Deliver nothing more."""
-        self._latest.drop()
-        self._listener = None
+        self._waiting = self._listener = None
 
     def stop(self) -> None:
         """Deliver nothing more, and return without waiting for the thread.
@@ -80,7 +81,7 @@ class FrameWorker(QtCore.QObject):
         self.hush()
         if self._is_running:
             self._is_running = False
-            if not self._latest.is_busy:
+            if not self._is_busy:
                 self._thread.shutdown(wait=True)
                 self._let_go()
                 return
@@ -95,8 +96,8 @@ class FrameWorker(QtCore.QObject):
         collecting().release()
 
     def _begin(self, question) -> None:
-        if question is not None:
-            self._thread.submit(self._run, question)
+        self._is_busy = True
+        self._thread.submit(self._run, question)
 
     def _run(self, question) -> None:
         try:
@@ -119,8 +120,9 @@ class FrameWorker(QtCore.QObject):
                 fault = sentence_of(error)
         if fault and self._listener is not None:
             self._listener.on_fault(fault)
-        if self._listener is not None:
-            self._begin(self._latest.finish())
+        waiting, self._waiting, self._is_busy = self._waiting, None, False
+        if waiting is not None:
+            self._begin(waiting)
 
 
 def give_way() -> None:

@@ -5,19 +5,19 @@ from freecad.sheetmorph.bridge.units import number_in
 from freecad.sheetmorph.scene.cursor_value import CursorValue
 from freecad.sheetmorph.scene.dragger import Dragger
 from freecad.sheetmorph.scene.point_drag import EscapeWatch, PointDrag
-from freecad.sheetmorph.tools.pulling import Pull
+from freecad.sheetmorph.tools.motion import Pull
 
 
 class HandleDrag:
     """The conversion of drags into motions, until `remove`.
 
-    `owner` has motion() and pivot() (3,) mm of the moved handle, and put(motion). It has settle(),
-    called when the mouse is released, and grab(ray), which chooses the vertex under the mouse and
-    returns its position or None.
+    It sets and observes `moving`, a motion.Moving. `owner` has settle(), called when the mouse is
+    released, and grab(ray), which chooses the vertex under the mouse and returns its position or
+    None.
     """
 
-    def __init__(self, view, owner):
-        self._view, self._owner = view, owner
+    def __init__(self, view, moving, owner):
+        self._view, self._moving, self._owner = view, moving, owner
         self._points = PointDrag(view, self)
         self._escape = EscapeWatch(self.on_escape)
         self._value = CursorValue(view)
@@ -25,7 +25,9 @@ class HandleDrag:
         self._arrows = None
         self._steps = None
         self._start = None
+        self._has_arrow = False  # the mouse moves the arrows, which then follow nothing else
         self.moves_pivot = False
+        moving.observe(self._follow)
 
     def remove(self) -> None:
         """Remove everything from the view."""
@@ -47,7 +49,7 @@ class HandleDrag:
         if is_shown:
             self._arrows = Dragger(self._view, self)
             self._arrows.snap(self._steps)
-            self.place()
+            self._place()
 
     def use_points(self, is_on: bool) -> None:
         """Switch whether the mouse drags points, or acts as usual."""
@@ -59,17 +61,22 @@ class HandleDrag:
         if self._arrows is not None:
             self._arrows.snap(steps)
 
-    def place(self) -> None:
+    def _follow(self, _moving, _before) -> None:
+        if not self._has_arrow:
+            self._place()
+
+    def _place(self) -> None:
         """Move the arrows to the present motion."""
         if self._arrows is not None:
-            self._arrows.place(self._owner.pivot(), self._owner.motion())
+            self._arrows.place(self._moving.pivot, self._moving.motion)
 
     # -- called by the arrows
 
     def on_grab(self) -> None:
-        """Start a drag."""
-        self._start = self._owner.motion(), self._owner.pivot()
-        self._pull = Pull(self._start[0])
+        """Start a drag of the arrows."""
+        self._start = self._moving.motion, self._moving.pivot
+        self._pull = Pull(self._moving.motion)
+        self._has_arrow = True
         self._escape.start()
 
     def on_drag(self, translation, axis, angle: float) -> None:
@@ -79,7 +86,7 @@ class HandleDrag:
         motion, pivot = self._start
         if self.moves_pivot:
             place = [a + b for a, b in zip(pivot, translation)]
-            self._owner.put(motion.about(pivot, place))
+            self._moving.set(motion.about(pivot, place))
         else:
             self._go_to(motion.turned(translation, axis, angle))
 
@@ -88,16 +95,17 @@ class HandleDrag:
         if self._pull is not None and self._pull.text:
             self.on_key("\n")
         self._end()
-        self.place()
+        self._place()
         self._owner.settle()
 
     def _go_to(self, motion) -> None:
         if self._pull.moved(motion):
-            self._owner.put(motion)
+            self._moving.set(motion)
         self._value.show(self._pull.described())
 
     def _end(self) -> None:
         self._start = self._pull = None
+        self._has_arrow = False
         self._escape.stop()
         self._value.show("")
 
@@ -115,8 +123,7 @@ class HandleDrag:
         if value is not None:
             motion = self._pull.with_value(value)
             self._let_go()
-            self._owner.put(motion)
-            self.place()
+            self._moving.set(motion)
         return True
 
     def on_resize(self) -> None:
@@ -138,13 +145,13 @@ class HandleDrag:
         point = self._owner.grab(ray)
         if point is not None:
             self.on_grab()
+            self._has_arrow = False
         return point
 
     def on_pull(self, shift) -> None:
         """Handle a drag of the point."""
         if self._start is not None:
             self._go_to(self._start[0].shifted(shift))
-            self.place()
 
     on_drop = on_release
 
@@ -154,5 +161,5 @@ class HandleDrag:
             return False
         before = self._start[0]
         self._let_go()
-        self._owner.put(before)
+        self._moving.set(before)
         return True

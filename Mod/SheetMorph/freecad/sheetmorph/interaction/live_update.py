@@ -44,6 +44,8 @@ class LiveUpdate(QtCore.QObject):
         self.scene = LiveScene(assembly, self._live, session.view)
         self._pending = session.pending
         self.legend = None
+        regions = model.regions(assembly)
+        self._has_expressions = any(region.ExpressionEngine for region in regions)
         self.kernel_ms = self.draw_ms = 0.0
         self.count = 0
         self._worker = FrameWorker(self._compute, self)  # last, because it must be stopped
@@ -55,6 +57,15 @@ class LiveUpdate(QtCore.QObject):
         """
         self._recompute_regions()
         self._worker.ask(self._live.ask([handle.Name for handle in moved], exact))
+
+    def follow(self, moving, before) -> None:
+        """Request a frame of a motion.Moving; another choice needs none."""
+        if before is None:
+            return
+        if self._has_expressions:
+            self.ask([self._assembly.Document.getObject(moving.name)])
+        else:
+            self._worker.ask(self._live.follow(moving))
 
     def ask_reach(self, handle, number: int, criteria: dict) -> bool:
         """Request the possible range of a handle's number, unless the worker is busy.
@@ -226,5 +237,6 @@ class LiveUpdate(QtCore.QObject):
     def _recompute_regions(self) -> None:
         """Evaluate expressions between handles, which is cheap without the parts."""
         regions = model.regions(self._assembly)
-        if any(region.ExpressionEngine for region in regions):
+        self._has_expressions = any(region.ExpressionEngine for region in regions)
+        if self._has_expressions:
             self._assembly.Document.recompute(regions)

@@ -3,9 +3,8 @@
 
 from freecad.sheetmorph import api
 from freecad.sheetmorph.actions import call, name
-from freecad.sheetmorph.api.motions import put
+from freecad.sheetmorph.api.motions import put, rest_centroid
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.objects.properties import vector_of
 from freecad.sheetmorph.objects.region import motion_of
 from freecad.sheetmorph.tools.motion import Motion
 
@@ -33,13 +32,17 @@ class MovedHandles:
         self._pending.change()
         put(handle, motion)
 
-    def pivot(self, handle) -> tuple:
-        """Return the pivot of a handle at rest, (3,) mm, cached until `look_again`."""
-        if not handle.PivotAtCentroid:
-            return vector_of(handle, "Pivot")
-        if handle.Name not in self._centres:
-            self._centres[handle.Name] = tuple(api.pivot(handle))
-        return self._centres[handle.Name]
+    def centroid(self, name: str) -> tuple:
+        """Return the centroid of a handle at rest, (3,) mm, cached until `look_again`."""
+        if name not in self._centres:
+            handle = self.assembly.Document.getObject(name)
+            self._centres[name] = tuple(rest_centroid(handle))
+        return self._centres[name]
+
+    def place(self, handle) -> tuple:
+        """Return the moved pivot of a handle, (3,) mm."""
+        motion = motion_of(handle)
+        return motion.place(motion.pivot or self.centroid(handle.Name))
 
     def look_again(self) -> None:
         """Clear the cache after a change of a mesh or placement."""

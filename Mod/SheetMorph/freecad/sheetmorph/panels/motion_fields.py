@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The fields of a motion in the Move Handle panel."""
 
-from freecad.sheetmorph.panels.base import CHOSEN
-from freecad.sheetmorph.qt import QtCore, connect, translate
+from freecad.sheetmorph.panels.base import CHOSEN, say
+from freecad.sheetmorph.qt import connect, translate
 from freecad.sheetmorph.tools.motion import Motion
 
 DRIVEN = {
@@ -13,58 +13,53 @@ DRIVEN = {
 }
 
 
-class MotionFields(QtCore.QObject):
-    """The link from fields to a motion; `changed` is sent when the user changes one."""
+class MotionFields:
+    """The fields that set and observe a motion.Moving."""
 
-    changed = QtCore.Signal()
-
-    def __init__(self, form):
-        super().__init__()
-        self._form = form
+    def __init__(self, form, moving):
+        self._form, self._moving = form, moving
         self._is_writing = False
         self._at_centroid = True
         form.angle.measure("deg")
-        connect(form.angle, "valueChanged(double)", self._send)
+        groups = ("translation", "axis", "pivot")
+        fields = [getattr(form, f"{group}_{c}") for group in groups for c in "xyz"] + [form.angle]
+        for field in fields:
+            moved = self._leave_centroid if field in fields[6:9] else self._send
+            connect(field, "valueChanged(double)", moved)
+            connect(field, "editingFinished()", self._end_typing)
         for c in "xyz":
-            connect(getattr(form, f"translation_{c}"), "valueChanged(double)", self._send)
-            connect(getattr(form, f"axis_{c}"), "valueChanged(double)", self._send)
-            connect(getattr(form, f"pivot_{c}"), "valueChanged(double)", self._leave_centroid)
-            getattr(form, f"along_{c}").setCheckable(True)
-            getattr(form, f"along_{c}").setStyleSheet(CHOSEN)
-            connect(
-                getattr(form, f"along_{c}"), "clicked()", lambda _=False, d=c: self._turn_about(d)
-            )
+            button = getattr(form, f"along_{c}")
+            button.setCheckable(True)
+            button.setStyleSheet(CHOSEN)
+            connect(button, "clicked()", lambda _=False, d=c: self._turn_about(d))
         connect(form.centre, "clicked()", self._return_to_centroid)
+        moving.observe(self._show)
 
-    def read(self) -> Motion:
-        """Return the motion in the fields."""
+    @property
+    def is_valid(self) -> bool:
+        """Whether the fields have a motion; a message says why not."""
+        return not self._read().fault()
+
+    def _read(self) -> Motion:
         form = self._form
         shift = tuple(getattr(form, f"translation_{c}").value() for c in "xyz")
         axis = tuple(getattr(form, f"axis_{c}").value() for c in "xyz")
         pivot = tuple(getattr(form, f"pivot_{c}").value() for c in "xyz")
         return Motion(shift, axis, form.angle.value(), None if self._at_centroid else pivot)
 
-    def write(self, motion: Motion, pivot) -> None:
-        """Show a motion without sending `changed`; `pivot` (3,) mm is the centroid."""
+    def _show(self, moving, _before=None) -> None:
+        """Show the motion without setting it again."""
         self._is_writing = True
+        motion, pivot = moving.motion, moving.pivot
         self._at_centroid = motion.pivot is None
-        shown = pivot if self._at_centroid else motion.pivot
         for k, c in enumerate("xyz"):
             getattr(self._form, f"translation_{c}").setValue(motion.translation[k])
             getattr(self._form, f"axis_{c}").setValue(motion.axis[k])
-            getattr(self._form, f"pivot_{c}").setValue(shown[k])
+            getattr(self._form, f"pivot_{c}").setValue(pivot[k])
         self._form.angle.setValue(motion.angle)
         self._form.centre.setEnabled(not self._at_centroid)
+        say(self._form.axis_message, "")
         self._show_direction()
-        self._is_writing = False
-
-    def show_pivot(self, pivot) -> None:
-        """Show the position of the pivot, (3,) mm, if it is the centroid."""
-        if not self._at_centroid:
-            return
-        self._is_writing = True
-        for k, c in enumerate("xyz"):
-            getattr(self._form, f"pivot_{c}").setValue(pivot[k])
         self._is_writing = False
 
     def lock(self, expressions: dict[str, str]) -> None:
@@ -78,13 +73,22 @@ class MotionFields(QtCore.QObject):
                 widget.setToolTip(said.format(text))
 
     def _send(self, *_) -> None:
-        if not self._is_writing:
-            self._show_direction()
-            self.changed.emit()
+        if self._is_writing:
+            return
+        self._show_direction()
+        motion = self._read()
+        say(self._form.axis_message, motion.fault(), True)
+        if not motion.fault():
+            self._moving.set(motion)
+
+    def _end_typing(self) -> None:
+        """Show the value that the mouse has set while the field kept a typed one."""
+        if self.is_valid:
+            self._show(self._moving)
 
     def _show_direction(self) -> None:
         """Press the button of the axis in the fields, if it is x, y or z."""
-        axis = self.read().axis
+        axis = self._read().axis
         for k, c in enumerate("xyz"):
             is_along = axis[k] > 0.0 and not any(axis[:k] + axis[k + 1 :])
             getattr(self._form, f"along_{c}").setChecked(is_along)
@@ -92,18 +96,15 @@ class MotionFields(QtCore.QObject):
     def _leave_centroid(self, *_) -> None:
         if not self._is_writing:
             self._at_centroid = False
-            self._form.centre.setEnabled(True)
-            self.changed.emit()
+            self._send()
 
     def _return_to_centroid(self) -> None:
         self._at_centroid = True
-        self._form.centre.setEnabled(False)
-        self.changed.emit()
+        self._send()
 
     def _turn_about(self, direction: str) -> None:
         self._is_writing = True
         for c in "xyz":
             getattr(self._form, f"axis_{c}").setValue(1.0 if c == direction else 0.0)
-        self._show_direction()
         self._is_writing = False
-        self.changed.emit()
+        self._send()

@@ -25,7 +25,7 @@ from freecad.sheetmorph.panels.show_fields import ShowFields
 from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, number, translate
 from freecad.sheetmorph.scene.handle_marks import HandleMarks
 from freecad.sheetmorph.scene.legend import ViewLegend
-from freecad.sheetmorph.tools.motion import Motion
+from freecad.sheetmorph.tools.motion import Motion, Moving
 from freecad.sheetmorph.tools.updating import PAUSE, Updating
 
 # The panel has room for these; the morph's property Warnings has all.
@@ -53,10 +53,12 @@ class MovePanel(Panel):
         read, write = partial(snapshot, assembly), partial(restore, assembly)
         self._pending = session.edit("Move Handle", read, write)
         self._handles = MovedHandles(assembly, self._pending)
-        self._name = handle.Name
+        self._moving = Moving(self._handles.centroid)
+        session.ending.connect(self._moving.stop)
         self._updating = Updating(preferences.get("UpdateResults"))
         self._live = None
-        self._fields = MotionFields(self.form)
+        self._fields = MotionFields(self.form, self._moving)
+        self._moving.observe(self._on_motion)  # before a LiveUpdate, which may read the document
         view_legend = session.show(ViewLegend(session.view))
         view_legend.show_roles(legend(""))
         has_elements = bool(model.decks(assembly))
@@ -66,15 +68,16 @@ class MovePanel(Panel):
         form = self.form
         Folds({form.pivot: "OpenPivot", form.mouse: "OpenMouse", form.showing: "OpenShow"})
         self._reach = ReachMarks(form, criteria_of(assembly), self._ask_reach)
-        self._frame = self._timer(0, self._show)
+        self._moving.observe(self._reach.follow)
         self._pause = self._timer(round(1000 * PAUSE), self.settle)
         self._prepare_widgets()
         session.at_end(self._end_live)
-        self._drag = session.show(HandleDrag(session.view, self))
+        self._drag = session.show(HandleDrag(session.view, self._moving, self))
         self._marks = session.show(HandleMarks(session.view, self._choose_marked))
+        self._moving.observe(self._marks.follow)
         session.at_end(self._stop_timers)
+        self._choose(handle)
         self._mouse = MouseFields(self.form, self._drag)
-        self._mark_others()
         session.ending.connect(self._hush)
         session.changed.connect(self._follow)
         self._start()
@@ -93,9 +96,7 @@ class MovePanel(Panel):
     def keep(self) -> bool:
         """Store the pose in one undo step, with one macro line per handle."""
         self._stop_timers()
-        fault = self._fields.read().fault()
-        say(self.form.axis_message, fault, True)
-        if fault:
+        if not self._fields.is_valid:
             return False
         self._pending.gather()
         self._handles.unmake_unmoved()
@@ -130,31 +131,26 @@ class MovePanel(Panel):
             return
         actions.note(actions.call("update_shapes", actions.name(owner)))
 
-    # -- following fields and mouse; HandleDrag calls the next five
+    # -- following the motion; HandleDrag calls settle and grab
 
     @property
     def _handle(self):
         """The chosen handle, None if it was deleted."""
-        return self.session.document.getObject(self._name)
+        return self.session.document.getObject(self._moving.name)
 
-    def motion(self) -> Motion:
-        """Return the motion of the chosen handle."""
-        return motion_of(self._handle)
-
-    def pivot(self) -> tuple:
-        """Return the pivot of the chosen handle at rest, (3,) mm."""
-        return self._handles.pivot(self._handle)
-
-    def put(self, motion: Motion) -> None:
-        """Apply a motion from the mouse."""
-        self._fields.write(motion, self.pivot())
-        self._apply()
+    def _on_motion(self, moving, before) -> None:
+        """Set the properties of the handle now, and the result objects after a pause."""
+        if before is not None:
+            self._handles.move(self._handle, moving.motion)
+            self._pause.start()
 
     def settle(self) -> None:
         """Compute exactly after the mouse was released or a pause."""
         self._pause.stop()
         if self._drag.is_dragging:
             return
+        self._moving.set(motion_of(self._handle))  # which an expression may drive
+        self._mark_others()
         self._pending.settle()
         if self._live is not None and self._updating.is_due_on_pause():
             self._live.ask([self._handle], exact=True)
@@ -185,8 +181,6 @@ class MovePanel(Panel):
             self._live = self._new_live()
             self._faults.say(error)
             return None
-        self._fill_list()
-        self._mark_others()
         return handle
 
     def _start(self) -> None:
@@ -198,10 +192,11 @@ class MovePanel(Panel):
             self._faults.say(error)
             return
         if finishing().is_due(self._handles.assembly):
-            self._frame.start()  # the parts still have an earlier shape
+            self._show()  # the parts still have an earlier shape
 
     def _new_live(self) -> LiveUpdate:
         live = LiveUpdate(self._handles.assembly, self._updating, self.session)
+        self._moving.observe(live.follow)
         live.drawn.connect(self._on_drawn)
         live.failed.connect(self._faults.say)
         live.settling.connect(self._on_settling)
@@ -226,47 +221,21 @@ class MovePanel(Panel):
         if not handles:
             self.session.end()
             return
-        self._reach.forget()
-        if self._handle not in handles:
-            self._name = handles[0].Name
-        self._fill_list()
-        self._fill()
-        self._drag.place()
-        self._mark_others()
+        self._choose(self._handle if self._handle in handles else handles[0])
         self._end_live()
         self._start()
         self._show()
 
     def _mark_others(self) -> None:
         """Mark the handles without arrows at their present positions."""
-        places = [moved(self._handles.pivot(h), motion_of(h).translation) for h in self._others]
-        arrows = moved(self.pivot(), self.motion().translation)
-        self._marks.show(places, arrows)
+        self._marks.show([self._handles.place(handle) for handle in self._others])
 
     @property
     def _others(self) -> list:
-        return [handle for handle in self._handles.all if handle.Name != self._name]
+        return [handle for handle in self._handles.all if handle != self._handle]
 
     def _choose_marked(self, number: int) -> None:
         self._choose(self._others[number])
-
-    def _on_change(self) -> None:
-        """Handle a changed field."""
-        self._apply()
-        self._drag.place()
-
-    def _apply(self) -> None:
-        """Set the properties now, and draw when the event loop is free."""
-        motion = self._fields.read()
-        say(self.form.axis_message, motion.fault(), True)
-        if motion.fault() or self.session.is_ending:
-            return
-        if motion != motion_of(self._handle):
-            self._reach.follow(motion_of(self._handle), motion)
-            self._handles.move(self._handle, motion)
-            self._fields.show_pivot(self.pivot())
-            self._mark_others()
-            self._frame.start()
 
     def _show(self) -> None:
         """Draw the present motion, and update the result objects after a pause."""
@@ -292,7 +261,7 @@ class MovePanel(Panel):
         say(self.form.status, text)
         self._tell_who_stays()
         self._shown.tell()
-        if self._live.is_preview and not self._frame.isActive():
+        if self._live.is_preview:
             self._pause.start()  # the exact shape must follow a preview
 
     def _on_settling(self, task: str) -> None:
@@ -310,11 +279,11 @@ class MovePanel(Panel):
 
     def _stop_timers(self) -> None:
         self._reach.stop()
-        self._frame.stop()
         self._pause.stop()
 
     def _end_live(self) -> None:
         if self._live is not None:
+            self._moving.leave(self._live.follow)
             self._live.remove()
         self._live = None
 
@@ -322,16 +291,12 @@ class MovePanel(Panel):
 
     def _prepare_widgets(self) -> None:
         form = self.form
-        self._fill_list()
         connect(form.handle, "currentIndexChanged(int)", self._on_choice)
         form.results.setCurrentIndex(self._updating.preference)
         connect(form.results, "currentIndexChanged(int)", self._choose_update)
         connect(form.reset, "clicked()", self._reset)
-        self._fields.changed.connect(self._on_change)
-        say(form.axis_message, "")
         # Text from the start: a panel that grows during a click would move the target.
         say(form.status, translate("SheetMorph_panels", "Nothing has moved yet."))
-        self._fill()
 
     def _tell_who_stays(self) -> None:
         """Show the parts that will not follow, and other warnings."""
@@ -356,32 +321,24 @@ class MovePanel(Panel):
         texts += others[:MOST_WARNINGS] + ["…"] * (len(others) > MOST_WARNINGS)
         say(self.form.staying, listed(texts), bool(texts))
 
-    def _fill(self) -> None:
-        """Show the motion of the handle."""
-        self._tell_who_stays()
-        self._fields.write(self.motion(), self.pivot())
-        self._fields.lock({path.lstrip("."): text for path, text in self._handle.ExpressionEngine})
-        self.form.rotation.setEnabled(not self._handle.FreeRotation)
-
-    def _fill_list(self) -> None:
-        """List the present handles."""
-        combo, handles = self.form.handle, self._handles.all
-        combo.blockSignals(True)
-        combo.clear()
-        combo.addItems([handle.Label for handle in handles])
-        combo.setCurrentIndex(handles.index(self._handle))
-        combo.blockSignals(False)
-
     def _choose(self, handle) -> None:
-        self.form.handle.setCurrentIndex(self._handles.all.index(handle))
-        self._on_choice(self.form.handle.currentIndex())
+        """Show the present handles and the motion of one of them."""
+        combo, handles = self.form.handle, self._handles.all
+        labels = [one.Label for one in handles]
+        combo.blockSignals(True)
+        if [combo.itemText(k) for k in range(combo.count())] != labels:
+            combo.clear()
+            combo.addItems(labels)
+        combo.setCurrentIndex(handles.index(handle))
+        combo.blockSignals(False)
+        self._moving.choose(handle.Name, motion_of(handle), handle.FreeRotation)
+        self._fields.lock({path.lstrip("."): text for path, text in handle.ExpressionEngine})
+        self.form.rotation.setEnabled(not handle.FreeRotation)
+        self._mark_others()
+        self._tell_who_stays()
 
     def _on_choice(self, index: int) -> None:
-        self._name = self._handles.all[index].Name
-        self._reach.forget()
-        self._fill()
-        self._drag.place()
-        self._mark_others()
+        self._choose(self._handles.all[index])
 
     def _choose_update(self, preference: int) -> None:
         self._updating.preference = preference
@@ -389,9 +346,8 @@ class MovePanel(Panel):
 
     def _reset(self) -> None:
         """Return the handle to rest within the transaction."""
-        self._fields.write(Motion(), self.pivot())
-        self._on_change()
-        self._fill()
+        self._moving.set(Motion())
+        self._choose(self._handle)
 
     def _timer(self, milliseconds: int, action):
         timer = QtCore.QTimer(self.form)
@@ -399,8 +355,3 @@ class MovePanel(Panel):
         timer.setInterval(milliseconds)
         connect(timer, "timeout()", lambda: self.session.when_free(action))
         return timer
-
-
-def moved(place, shift) -> tuple:
-    """Return a place with a shift added, (3,) mm each."""
-    return tuple(a + b for a, b in zip(place, shift))

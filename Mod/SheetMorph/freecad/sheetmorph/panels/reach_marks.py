@@ -45,8 +45,12 @@ class ReachMarks(QtCore.QObject):
         form.reach_text.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
         self._show()
 
-    def follow(self, before: Motion, now: Motion) -> None:
-        """Handle a changed value, and remove the marks of another value or pose."""
+    def follow(self, moving, before: Motion | None) -> None:
+        """Handle a changed value, and remove the marks of another value, handle or pose."""
+        if before is None:
+            self.forget()
+            return
+        now = moving.motion
         pairs = zip((*before.translation, before.angle), (*now.translation, now.angle))
         changed = [k for k, (old, new) in enumerate(pairs) if old != new]
         is_one = len(changed) == 1 and (before.axis, before.pivot) == (now.axis, now.pivot)

@@ -41,10 +41,14 @@ class HandleMarks(QtCore.QObject):
         self._widget = view.graphicsView().viewport()
         self._widget.installEventFilter(self)
 
-    def show(self, places, taken) -> None:
-        """Mark places (n, 3) mm, global; `taken` is the place (3,) of the arrows, or None."""
+    def show(self, places) -> None:
+        """Mark places (n, 3) mm, global."""
         self._places = np.asarray(places, float).reshape(-1, 3)
-        self._taken = taken
+        self._draw()
+
+    def follow(self, moving, _before) -> None:
+        """Leave room for the arrows of a motion.Moving."""
+        self._taken = moving.place
         self._draw()
 
     def remove(self) -> None:

@@ -5,39 +5,29 @@ It is under the root of the part's view provider and uses its coordinates node. 
 part and its containers, and the coloured regions follow.
 """
 
-import numpy as np
-
 from freecad.sheetmorph.scene import nodes
 from freecad.sheetmorph.scene.in_place import InPlace
 from freecad.sheetmorph.scene.surface import Surface
 
 
-class Preview:
+class Preview(Surface):
     """A drawing of one part at other positions until `remove`."""
 
-    def __init__(self, view_object, drawer, points: np.ndarray, triangles: np.ndarray, *, also=()):
+    def __init__(self, view_object, drawer, points, triangles, *, also=()):
         """Draw `points` (n, 3) local mm with `triangles` (m, 3); see `drawing` for `drawer`.
 
         `also` are further views that represent the part.
         """
+        super().__init__(nodes.coordinates(view_object))
         self._view_object = view_object
-        self._surface = Surface(nodes.coordinates(view_object))
-        self._surface.fill(drawer, points, triangles)
+        self.fill(drawer, points, triangles)
         self.plain()
-        self._in_place = InPlace(view_object, view_object.RootNode, self._surface.node, also)
-
-    def show(self, points: np.ndarray, frame) -> None:
-        """Move the drawing to global positions (n, 3), mm, of a part with a conversion.Frame."""
-        self._surface.show(points, frame)
-
-    def colour(self, values: np.ndarray, span) -> None:
-        """Show the values (n,) of the vertices as colours in a span (low, high)."""
-        self._surface.colour(values, span)
+        self._in_place = InPlace(view_object, view_object.RootNode, self.node, also)
 
     def plain(self) -> None:
         """Show the part in its own colour."""
         transparency = self._view_object.Transparency / 100.0
-        self._surface.paint(tuple(self._view_object.ShapeColor[:3]), transparency)
+        self.paint(tuple(self._view_object.ShapeColor[:3]), transparency)
 
     def remove(self) -> None:
         """Show the mesh of the document again; the part may be deleted already."""

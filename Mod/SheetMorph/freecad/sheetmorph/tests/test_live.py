@@ -11,7 +11,7 @@ from freecad.sheetmorph import api, reporting
 from freecad.sheetmorph.bridge import live_session, solving
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.tests import support
-from freecad.sheetmorph.tools.motion import Motion
+from freecad.sheetmorph.tools.motion import Motion, Moving
 
 
 class TestLive(support.DocumentTest):
@@ -79,6 +79,16 @@ class TestLive(support.DocumentTest):
         self.assertEqual(exact.unsettled, "")
         self.assertEqual(self.live.learning_failure, "")
 
+    def test_a_frame_of_a_motion_needs_no_document(self):
+        api.set_free_rotation(self.handle, True)
+        moving = Moving(lambda name: tuple(api.pivot(self.handle)))
+        moving.choose(self.handle.Name, Motion((0.0, 0.0, 30.0), angle=20.0), is_free=True)
+        frame = self.live.answer(self.live.follow(moving))
+        self.assertEqual(self.handle.TranslationZ.Value, 0.0)
+        api.set_motion(self.handle, (0, 0, 30), (0, 0, 1), 20)
+        asked = self.live.ask([self.handle.Name])
+        self.assertEqual(repr(asked), repr(frame.question), "the recompute finds the answer")
+
     def _frame_lifted_by(self, height: float):
         api.set_motion(self.handle, (0, 0, height))
         return self.live.answer(self.live.ask([self.handle.Name]))
@@ -128,7 +138,32 @@ class Widget:
         self._destroyed.append(threading.current_thread())
 
 
+class Listener:
+    """Keeps the answers."""
+
+    def __init__(self):
+        self.answers: list = []
+
+    def on_answer(self, answer) -> None:
+        self.answers.append(answer)
+
+
 class TestFrameWorker(unittest.TestCase):
+    def test_of_what_is_asked_meanwhile_only_the_last_counts(self):
+        listener, begun = Listener(), []
+        worker = FrameWorker(begun.append, listener)
+        self.addCleanup(worker.stop)
+        for question in "abc":
+            worker.ask(question)
+        self.assertFalse(worker.is_free or worker.is_idle)
+        worker._deliver("answer to a", "")
+        self.assertTrue(worker.is_free and not worker.is_idle)
+        worker._deliver("answer to c", "")
+        self.assertTrue(worker.is_idle)
+        worker._thread.shutdown(wait=True)
+        self.assertEqual(begun, ["a", "c"])
+        self.assertEqual(listener.answers, ["answer to a", "answer to c"])
+
     def test_what_a_panel_left_is_never_destroyed_in_another_thread(self):
         destroyed: list = []
         worker = FrameWorker(lambda _question: [[] for _ in range(200_000)], None)

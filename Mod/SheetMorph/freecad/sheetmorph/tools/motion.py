@@ -4,15 +4,20 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 
+from freecad.sheetmorph.tools.words import plain
+
 Triple = tuple[float, float, float]
 CENTROID = "centroid"
 """The value of `pivot` in scripts and saved poses for a turn about the centroid."""
 UP = (0.0, 0.0, 1.0)
+FIRST = "0123456789.,+-("
+"""The characters that begin a value; any may follow, as in 100/4, 10 in, 2*(3+1)."""
 
 
 class Turn(NamedTuple):
@@ -75,6 +80,11 @@ class Motion:
         """Return the arguments as source text that evaluates to the same numbers."""
         return {name: repr(value) for name, value in self.arguments().items()}
 
+    def place(self, pivot: Triple) -> Triple:
+        """Return where a pivot at rest, (3,) mm, moves."""
+        x, y, z = map(sum, zip(pivot, self.translation))
+        return x, y, z
+
     def shifted(self, shift) -> Motion:
         """Return the motion with a further shift (3,) mm."""
         moved = np.asarray(self.translation) + np.asarray(shift)
@@ -112,6 +122,113 @@ class Motion:
         cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
         turn = np.radians(self.angle)
         return np.eye(3) + np.sin(turn) * cross + (1.0 - np.cos(turn)) * (cross @ cross)
+
+
+class Moving:
+    """The motion of the chosen handle: mouse and fields set it, widgets and scene observe it.
+
+    An observer is called with this object and the motion before, None after another choice.
+    """
+
+    def __init__(self, centroid: Callable[[str], Triple]):
+        """Start without a handle; `centroid(name)` returns the centroid of one, (3,) mm."""
+        self.name, self.motion, self._is_free = "", Motion(), False
+        self._centroid = centroid
+        self._observers: list[Callable] = []
+
+    def observe(self, observer: Callable) -> None:
+        """Call `observer(moving, before)` after every change."""
+        self._observers = [*self._observers, observer]
+
+    def leave(self, observer: Callable) -> None:
+        """Call an observer no longer."""
+        self._observers = [one for one in self._observers if one != observer]
+
+    def stop(self) -> None:
+        """Call no observer any more."""
+        self._observers = []
+
+    def choose(self, name: str, motion: Motion, is_free: bool = False) -> None:
+        """Observe another handle; with `is_free` the sheet determines its rotation."""
+        self.name, self.motion, self._is_free = name, motion, is_free
+        self._tell(None)
+
+    def set(self, motion: Motion) -> None:
+        """Move the handle; an equal motion changes nothing."""
+        before, self.motion = self.motion, motion
+        if motion != before:
+            self._tell(before)
+
+    @property
+    def pivot(self) -> Triple:
+        """The pivot at rest, (3,) mm."""
+        return self.motion.pivot or self._centroid(self.name)
+
+    @property
+    def place(self) -> Triple:
+        """The moved pivot, (3,) mm."""
+        return self.motion.place(self.pivot)
+
+    @property
+    def told(self) -> Motion:
+        """The motion for the kernel."""
+        return replace(self.motion, angle=0.0) if self._is_free else self.motion
+
+    def _tell(self, before: Motion | None) -> None:
+        for observer in self._observers:
+            observer(self, before)
+
+
+class Pull:
+    """A drag from one motion to another, along a direction or about an axis."""
+
+    def __init__(self, start: Motion):
+        self._start = self._now = start
+        self.text = ""
+
+    def moved(self, now: Motion) -> bool:
+        """Set the present motion of the mouse; return False if a typed value replaces it."""
+        if not self.text:
+            self._now = now
+        return not self.text
+
+    @property
+    def is_turn(self) -> bool:
+        """Whether the drag turns and does not shift."""
+        return not self._shift().any() and self._angle() != 0.0
+
+    def described(self) -> str:
+        """Return the length or angle of the drag, or the typed text."""
+        if self.text:
+            return f"{self.text}▏"
+        if self.is_turn:
+            return f"{plain(self._angle(), 4)}°"
+        return f"{plain(float(np.linalg.norm(self._shift())), 4)} mm"
+
+    def type(self, key: str) -> bool:
+        """Add a typed character, or delete one if `key` is empty; return False if refused."""
+        if key and not (key.isprintable() and (self.text or key in FIRST)):
+            return False
+        if not self._shift().any() and self._angle() == 0.0:
+            return False  # the drag has no direction yet
+        self.text = self.text + key if key else self.text[:-1]
+        return True
+
+    def with_value(self, value: float) -> Motion:
+        """Return the motion of the drag with another length in mm, or angle in degrees."""
+        if self.is_turn:
+            sign = 1.0 if self._angle() > 0.0 else -1.0
+            return replace(self._now, angle=self._start.angle + sign * value)
+        way = self._shift() / np.linalg.norm(self._shift())
+        translation = np.asarray(self._start.translation) + value * way
+        return replace(self._now, translation=rounded(translation))
+
+    def _shift(self) -> np.ndarray:
+        return np.asarray(self._now.translation) - np.asarray(self._start.translation)
+
+    def _angle(self) -> float:
+        same = self._start.angle == 0.0 or np.allclose(self._start.axis, self._now.axis)
+        return self._now.angle - self._start.angle if same else self._now.angle
 
 
 def motion_from(entry: dict) -> Motion:
