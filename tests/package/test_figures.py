@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from freecad.sheetmorph.tools import figures
+from freecad.sheetmorph.tools import figures, sentences
 from freecad.sheetmorph.tools.figures import BRUSH, LASSO, RECTANGLE, Camera, Drawing
 from freecad.sheetmorph.tools.part_mesh import PartMesh, nearest_part
 from freecad.sheetmorph.tools.picking import ADD, REMOVE, REPLACE, VERTEX, Options, RegionPicker
@@ -178,7 +178,7 @@ def drawn_around(radius: float, waves: int, tool: str = LASSO) -> dict:
     reach = radius * (1.0 + 0.12 * np.sin(waves * angle))
     places = 100.0 + np.round(np.stack([reach * np.cos(angle), reach * np.sin(angle)], axis=1))
     places = figures.lasso(places.tolist()) if tool == LASSO else places
-    return DrawnFigure(tool, places.tolist(), FROM_ABOVE.to_pixels.ravel().tolist(), 9.0).said()
+    return DrawnFigure(tool, places.tolist(), FROM_ABOVE.view, 9.0).said()
 
 
 @pytest.mark.parametrize("radius, waves", [(20.0, 3), (33.0, 5), (45.0, 2), (47.0, 11)])
@@ -210,3 +210,54 @@ def test_a_camera_is_the_same_by_its_pixels():
         place = (120.0, 70.0)
         for one, other in zip(camera.line(*place), again.line(*place)):
             assert np.allclose(one, other)
+
+
+def test_a_view_of_few_numbers_shows_the_same():
+    rng = np.random.default_rng(5)
+    for turn in ((0, 0, 0), (-90, 0, 0), (0, 0, 180), (0, 180, 0), (17, -80, 120), (0.0, 1e-7, 0)):
+        matrix, points = figures.matrix_of(turn), rng.uniform(-40, 40, (30, 3)) + (500, 9, 0)
+        eye = np.array((500, 9, 0)) + 100.0 * matrix[2]
+        rows = np.column_stack([matrix, -matrix @ eye])
+        parallel = np.vstack([rows[:2] * 0.02, -rows[2] / 200.0, [0, 0, 0, 1.0]])
+        eyed = np.vstack([rows[:2] * 1.3, -1.1 * rows[2] - [0, 0, 0, 20.0], -rows[2]])
+        for clip, count in ((parallel, 6), (eyed, 9)):
+            camera = Camera(clip, 800.0, 800.0)
+            assert len(camera.view) == count
+            again = Camera.of_view(camera.view, points)
+            for one, other in zip(seen_by(camera, points), seen_by(again, points)):
+                np.testing.assert_allclose(one[:2], other[:2], atol=1e-6)
+            far, near = (np.argsort(seen_by(c, points)[:, 2]).tolist() for c in (camera, again))
+            assert far == near and np.abs(seen_by(again, points)[:, 2]).max() < 1.0
+
+
+def seen_by(camera: Camera, points: np.ndarray) -> np.ndarray:
+    """Where points are on the screen, px, and how deep."""
+    found = np.column_stack([points, np.ones(len(points))]) @ camera.to_pixels.T
+    return found[:, :3] / found[:, 3:]
+
+
+@pytest.mark.parametrize("count", [6, 9, 12])
+def test_a_view_follows_an_enlarged_part(count):
+    rows = np.array([[8.0, 0, 0, 100], [0, 8.0, 0, 90], [0, 0, -0.01, 0]])
+    view = {6: Camera.of_pixels(rows).view, 9: [10, 20, 30, 500, 100, 90, 1, 2, 90], 12: None}
+    numbers = view[count] or rows.ravel().tolist()
+    key = "camera" if count == 12 else "view"
+    told = {"drawn": {"lasso": [0, 0, 9, 0, 0, 9], key: numbers}}
+    larger = sentences.view_of(sentences.scaled(told, 4.0)["drawn"])
+    points = square()._seen
+    before = seen_by(Camera.of_view(numbers, points), points)
+    after = seen_by(Camera.of_view(larger, 4.0 * points), 4.0 * points)
+    np.testing.assert_allclose(before[:, :2], after[:, :2], atol=1e-9)
+
+
+def test_a_figure_of_an_older_document_takes_the_same():
+    part, told = square(), drawn_around(30.0, 3)["drawn"]
+    rows = FROM_ABOVE.to_pixels[:3].ravel().tolist()
+    older = {"lasso": told["lasso"], "camera": rows}
+    taken = []
+    for figure in (sentences.figure_of(told), sentences.figure_of(older)):
+        camera = Camera.of_view(figure.view, part._seen)
+        taken.append(part.inside(camera, figures.outlines(figure)[0], [part]).tolist())
+    assert taken[0] == taken[1] and len(taken[0]) > 20
+    with pytest.raises(ValueError, match="6 or 9 numbers"):
+        sentences.figure_of({"lasso": told["lasso"], "view": [1.0] * 7})

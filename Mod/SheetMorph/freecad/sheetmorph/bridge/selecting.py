@@ -72,7 +72,7 @@ def drawn(part, kept: Kept, told: dict) -> np.ndarray:
     core = kernel.core()
     mesh = PartMesh(core, (kept.points, kept.triangles), kept.points)
     hiding = None if figure.through else [mesh, *others_in_front(part, kept.frame)]
-    camera = Camera.of_pixels(np.array(figure.camera).reshape(-1, 4))
+    camera = Camera.of_view(figure.view, kept.points)
     taken = [mesh.inside(camera, outline, hiding) for outline in outlines(figure)]
     return np.unique(np.concatenate([np.zeros(0, np.int32), *taken]))
 

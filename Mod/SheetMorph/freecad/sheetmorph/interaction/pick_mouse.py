@@ -124,7 +124,7 @@ class PickMouse(Listener):
         return DrawnFigure(
             options.what,
             self._drawing.places,
-            camera.to_pixels.ravel().tolist(),
+            camera.view,
             figures.number(options.radius) if self._is_brush() else 0,
             options.through,
         ).said()

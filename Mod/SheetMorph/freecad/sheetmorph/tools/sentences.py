@@ -10,18 +10,18 @@ from typing import Any
 
 import numpy as np
 
-from freecad.sheetmorph.tools.figures import DRAWN, number
+from freecad.sheetmorph.tools.figures import DRAWN, matrix_of, number, turn_of
 
 
 @dataclass(frozen=True)
 class Length:
-    """The precision of a selector: decimals of a point, significant digits of a camera.
+    """The precision of a selector: decimals of a point, significant digits of a view.
 
     `away` is the largest deviation (px) of a shortened figure from the drawn one.
     """
 
     digits: int
-    camera: int
+    view: int
     away: float = 0.0
 
 
@@ -38,22 +38,21 @@ Said = Any  # a selector, None if unknown
 
 @dataclass(frozen=True)
 class DrawnFigure:
-    """A figure on the screen: its places (px), the radius of a brush, and the camera.
+    """A figure on the screen: its places (px), the radius of a brush, and the numbers of the view.
 
-    `camera` has the rows that give px, depth and divisor; without perspective the last row is
-    absent.
+    `view` is for `Camera.of_view`.
     """
 
     tool: str
     places: list
-    camera: list
+    view: list
     radius: float = 0.0
     through: bool = False
 
     def said(self) -> dict:
         """Return the figure as a selector."""
         places = [value for place in self.places for value in place]
-        told = {self.tool: places, "camera": self.camera}
+        told = {self.tool: places, "view": self.view}
         if self.radius:
             told["radius"] = self.radius
         if self.through:
@@ -82,15 +81,20 @@ def figure_of(told: dict) -> DrawnFigure:
         figure = DrawnFigure(
             tool,
             np.array(told[tool], float).reshape(-1, 2).tolist(),
-            [float(value) for value in told["camera"]],
+            view_of(told),
             float(told.get("radius", 0.0)),
             bool(told.get("through", False)),
         )
     except (KeyError, TypeError, ValueError) as error:
-        raise ValueError(f"A drawn figure has a {', '.join(DRAWN)}, and a camera.") from error
-    if not figure.places or len(figure.camera) not in (12, 16):
-        raise ValueError("A drawn figure has places, and a camera of 12 or 16 numbers.")
+        raise ValueError(f"A drawn figure has a {', '.join(DRAWN)}, and a view.") from error
+    if not figure.places or len(figure.view) not in (6, 9, 12, 16):
+        raise ValueError("A drawn figure has places, and a view of 6 or 9 numbers.")
     return figure
+
+
+def view_of(told: dict) -> list[float]:
+    """Return the numbers of a drawn figure's view; older documents have those of the camera."""
+    return [float(value) for value in (told["view"] if "view" in told else told["camera"])]
 
 
 def added(first: Said, second: Said) -> Said:
@@ -127,7 +131,7 @@ def in_file(said: Said, frame: Any, length: Length = EXACT) -> Said:
             local = (np.asarray(value, float) - frame.base) @ frame.rotation + frame.origin
             found[key] = rounded(local, length.digits)
         elif key == "drawn":
-            found[key] = {**value, "camera": camera_in_file(value["camera"], frame, length.camera)}
+            found[key] = {**value, "view": view_in_file(value["view"], frame, length.view)}
         elif key in ("union", "intersection", "minus", "of"):
             found[key] = in_file(value, frame, length)
         else:
@@ -135,22 +139,21 @@ def in_file(said: Said, frame: Any, length: Length = EXACT) -> Said:
     return found
 
 
-def rounded(values: np.ndarray, digits: int) -> list[float]:
+def rounded(values: Sequence[float], digits: int) -> list[float]:
     """Return values rounded to a number of decimals, whole numbers as int."""
     return [number(round(float(value), digits)) for value in values]
 
 
-def camera_in_file(camera: Sequence[float], frame: Any, digits: int) -> list[float]:
-    """Return the rows of a camera for the coordinates of the file, rounded to `digits`."""
-    to_global = np.eye(4)
-    to_global[:3, :3] = frame.rotation
-    to_global[:3, 3] = frame.base - frame.rotation @ frame.origin
-    matrix = np.array(camera, float).reshape(-1, 4)
-    if np.array_equal(matrix[3:], [[0.0, 0.0, 0.0, 1.0]]):
-        matrix = matrix[:3]
-    if not np.array_equal(to_global, np.eye(4)):
-        matrix = matrix @ to_global
-    return [significant(value, digits) for value in matrix.ravel().tolist()]
+def view_in_file(view: Sequence[float], frame: Any, digits: int) -> list[float]:
+    """Return the numbers of a view for the coordinates of the file, rounded to `digits`."""
+    turn, (scale, *origin), eye = matrix_of(view[:3]), view[3:6], view[6:]
+    shift = frame.base - frame.rotation @ frame.origin
+    if len(eye):
+        eye = (np.asarray(eye) - shift) @ frame.rotation
+    else:
+        origin = np.asarray(origin) + scale * (turn @ shift)[:2]
+    degrees = rounded(turn_of((turn @ frame.rotation)[:2]), digits - 2)
+    return [*degrees, *(significant(float(value), digits) for value in (scale, *origin, *eye))]
 
 
 def significant(value: float, digits: int) -> float:
@@ -223,12 +226,19 @@ def scaled(where: Said, factor: float) -> Said:
         if key in PLACES or key in LENGTHS:
             found[key] = (factor * np.asarray(value, float)).tolist()
         elif key == "drawn":
-            shrunk = np.diag([1.0 / factor] * 3 + [1.0])
-            camera = np.array(value["camera"], float).reshape(-1, 4) @ shrunk
-            found[key] = {**value, "camera": camera.ravel().tolist()}
+            found[key] = {**value, "view": scaled_view(view_of(value), factor)}
         else:
             found[key] = scaled(value, factor) if isinstance(value, (dict, list)) else value
     return found
+
+
+def scaled_view(view: list[float], factor: float) -> list[float]:
+    """Return the numbers of a view for a part enlarged by a factor."""
+    if len(view) == 6:
+        return [*view[:3], view[3] / factor, *view[4:]]
+    if len(view) == 9:
+        return [*view[:6], *(factor * value for value in view[6:])]
+    return (np.reshape(view, (-1, 4)) / ([factor] * 3 + [1.0])).ravel().tolist()
 
 
 def simplest(where: Said) -> Said:

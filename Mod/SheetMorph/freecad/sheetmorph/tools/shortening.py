@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from freecad.sheetmorph.tools.figures import BRUSH, LASSO, Camera, number
-from freecad.sheetmorph.tools.sentences import tool_of
+from freecad.sheetmorph.tools.sentences import tool_of, view_of
 
 BESIDE = 0.01
 """The distance (px) from an edge within which a vertex may count as either side."""
@@ -33,14 +33,14 @@ def shortened(where: Any, points: np.ndarray, away: float) -> Any:
         if tool == BRUSH:
             places = places[straightened(places, away)]
         elif tool == LASSO and len(places) > 3:
-            places = places[corners(places, seen(told["camera"], points), away)]
+            places = places[corners(places, seen(view_of(told), points), away)]
         found["drawn"] = {**told, tool: [number(value) for value in places.ravel().tolist()]}
     return found
 
 
-def seen(rows: list, points: np.ndarray) -> np.ndarray:
+def seen(view: list, points: np.ndarray) -> np.ndarray:
     """Return the screen positions (k, 2) px of the points (n, 3) in front of the eye."""
-    camera = Camera.of_pixels(np.array(rows, float).reshape(-1, 4)).to_pixels
+    camera = Camera.of_view(view, points).to_pixels
     found = points @ camera[:, :3].T + camera[:, 3]
     found = found[found[:, 3] > 0.0]
     return found[:, :2] / found[:, 3:]
