@@ -2035,6 +2035,22 @@
    <source>Picks the rims of all holes of the part</source>
    <translation>Wählt die Ränder aller Löcher des Teils</translation>
   </message>
+  <message>
+   <source>Advanced</source>
+   <translation>Erweitert</translation>
+  </message>
+  <message>
+   <source>Shows the selector of the picked vertices</source>
+   <translation>Zeigt den Selektor der gewählten Knoten</translation>
+  </message>
+  <message>
+   <source>Selector, such as {"face_at": [x, y, z]}</source>
+   <translation>Selektor, etwa {"face_at": [x, y, z]}</translation>
+  </message>
+  <message>
+   <source>Selector of the picked vertices, as in a recipe, in the coordinates of the part's file. Type another one and press Enter</source>
+   <translation>Selektor der gewählten Knoten, wie in einem Rezept, in den Koordinaten der Datei des Teils. Geben Sie einen anderen ein und drücken Sie Enter</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_pose</name>
@@ -2485,22 +2501,6 @@
   <message>
    <source>Nothing picked</source>
    <translation>Nichts gewählt</translation>
-  </message>
-  <message>
-   <source>Advanced</source>
-   <translation>Erweitert</translation>
-  </message>
-  <message>
-   <source>Shows the selector of the picked vertices</source>
-   <translation>Zeigt den Selektor der gewählten Knoten</translation>
-  </message>
-  <message>
-   <source>Selector, such as {"face_at": [x, y, z]}</source>
-   <translation>Selektor, etwa {"face_at": [x, y, z]}</translation>
-  </message>
-  <message>
-   <source>Selector of the picked vertices, as in a recipe, in the coordinates of the part's file. Type another one and press Enter</source>
-   <translation>Selektor der gewählten Knoten, wie in einem Rezept, in den Koordinaten der Datei des Teils. Geben Sie einen anderen ein und drücken Sie Enter</translation>
   </message>
   <message>
    <source>Each hole is a separate feature</source>

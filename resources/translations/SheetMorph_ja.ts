@@ -2035,6 +2035,22 @@
    <source>Picks the rims of all holes of the part</source>
    <translation>部品のすべての穴の縁を選びます</translation>
   </message>
+  <message>
+   <source>Advanced</source>
+   <translation>詳細</translation>
+  </message>
+  <message>
+   <source>Shows the selector of the picked vertices</source>
+   <translation>選択した頂点のセレクターを表示します</translation>
+  </message>
+  <message>
+   <source>Selector, such as {"face_at": [x, y, z]}</source>
+   <translation>セレクター (例: {"face_at": [x, y, z]})</translation>
+  </message>
+  <message>
+   <source>Selector of the picked vertices, as in a recipe, in the coordinates of the part's file. Type another one and press Enter</source>
+   <translation>選択した頂点のセレクター(レシピと同じ書式、部品ファイルの座標)。別のセレクターを入力して Enter を押してください</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_pose</name>
@@ -2485,22 +2501,6 @@
   <message>
    <source>Nothing picked</source>
    <translation>何も選択されていません</translation>
-  </message>
-  <message>
-   <source>Advanced</source>
-   <translation>詳細</translation>
-  </message>
-  <message>
-   <source>Shows the selector of the picked vertices</source>
-   <translation>選択した頂点のセレクターを表示します</translation>
-  </message>
-  <message>
-   <source>Selector, such as {"face_at": [x, y, z]}</source>
-   <translation>セレクター (例: {"face_at": [x, y, z]})</translation>
-  </message>
-  <message>
-   <source>Selector of the picked vertices, as in a recipe, in the coordinates of the part's file. Type another one and press Enter</source>
-   <translation>選択した頂点のセレクター(レシピと同じ書式、部品ファイルの座標)。別のセレクターを入力して Enter を押してください</translation>
   </message>
   <message>
    <source>Each hole is a separate feature</source>

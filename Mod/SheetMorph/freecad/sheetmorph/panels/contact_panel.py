@@ -55,7 +55,7 @@ class ContactPanel(Panel):
         self._light = session.show(PartLight())
         session.at_end(self._remove_views)
         self._mouse = session.show(PickMouse(session.view, self))
-        self._tools = PickTools(self.form, None, self.picked)
+        self._tools = PickTools(self.form, self.picked, lambda error: self._faults.say(error))
         self.notices.take(self._tools.hint)
         self._tools.offer_holes(False)
         self._tools.choose(picking.FACE)
@@ -240,7 +240,7 @@ class ContactPanel(Panel):
                 self._views[side] = PickView(view, mesh, colours.SIDES[side], on_top=True)
         by_hand = self._side_by_hand()
         picker = self._sides.pickers[by_hand] if by_hand else None
-        self._tools.use(picker)
+        self._tools.use(picker, self._parts.get(self._sides.parts.get(by_hand)))
         self._mouse.use(picker, self._views.get(by_hand))
         self.form.pick.setVisible(bool(by_hand))
         self.form.distance.setVisible(not by_hand)

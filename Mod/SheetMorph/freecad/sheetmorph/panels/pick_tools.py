@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The picking widgets that all panels share."""
 
+import json
 import math
 
 from freecad.sheetmorph import paths, preferences
+from freecad.sheetmorph.bridge import selecting
 from freecad.sheetmorph.panels.base import CHOSEN
+from freecad.sheetmorph.panels.folding import Folds
 from freecad.sheetmorph.panels.number_field import loaded
+from freecad.sheetmorph.panels.typed import Typed
 from freecad.sheetmorph.qt import connect, icon_of, translate
 from freecad.sheetmorph.tools import figures, picking
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
+from freecad.sheetmorph.tools.sentences import KEPT
 
 ICONS = {"vertex": "PickVertex", "facet": "PickFacet", "face": "PickFace", "rim": "PickRim"}
 ICONS |= {"whole": "PickPart", "brush": "PickBrush", "rectangle": "PickRectangle"}
@@ -40,10 +45,14 @@ HINTS = {
 class PickTools:
     """Widgets that act on a picker, in the layout `pick_column` of a form."""
 
-    def __init__(self, form, picker, on_change):
-        """Create the widgets; a button that changes the picks calls `on_change()`."""
-        self._on_change = on_change
+    def __init__(self, form, on_change, on_fault):
+        """Create the widgets without a picker.
+
+        `on_change()` follows a change of the picks, `on_fault(error)` an invalid selector.
+        """
+        self._on_change, self._on_fault = on_change, on_fault
         self._tool = picking.FACE
+        self._picker = self._part = self.where = None
         self._form = widgets = loaded(paths.panel("picking"))
         form.pick_column.addWidget(widgets)
         widgets.setStyleSheet(CHOSEN)
@@ -64,11 +73,12 @@ class PickTools:
             connect(button, "clicked()", lambda _=False, t=tool: self.choose(t))
         for button, step in STEPS.items():
             connect(getattr(widgets, button), "clicked()", lambda _=False, s=step: self._do(s))
-        self.use(picker)
+        Folds({widgets.advanced: "OpenSelector"})
+        self._typed = Typed(widgets.where, self._take_typed)
 
-    def use(self, picker) -> None:
-        """Act on a picker from now on; None for none."""
-        self._picker = picker
+    def use(self, picker, part) -> None:
+        """Act on the picker of a part from now on; None for none."""
+        self._picker, self._part = picker, part
         self._apply()
 
     def choose(self, tool: str) -> None:
@@ -98,8 +108,26 @@ class PickTools:
         self._form.radius.setValue(round(wanted) if round(wanted) != radius else radius + step)
 
     def show_state(self) -> None:
-        """Disable the buttons that have no effect now."""
-        self._form.back.setEnabled(bool(self._picker and self._picker.can_go_back))
+        """Show the selector of the picks, and disable the buttons that have no effect now."""
+        picker = self._picker
+        self._form.back.setEnabled(bool(picker and picker.can_go_back))
+        is_ready = picker is not None and self._part is not None
+        self.where = selecting.words_of(self._part, picker.said) if is_ready else None
+        self._form.where.setText(json.dumps(self.where) if self.where else "")
+
+    def _take_typed(self) -> None:
+        """Pick the vertices of the typed selector, or report its error."""
+        text = self._form.where.text().strip()
+        if not text or self._part is None:
+            return
+        try:
+            where = json.loads(text)
+            found = selecting.select(self._part, where)
+        except (ValueError, TypeError) as error:
+            self._on_fault(error)
+            return
+        self._picker.take(found, picking.REPLACE, {KEPT: where})
+        self._on_change()
 
     def _mode(self) -> str:
         chosen = [mode for mode in MODES if getattr(self._form, f"mode_{mode}").isChecked()]

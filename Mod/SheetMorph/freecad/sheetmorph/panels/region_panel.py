@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel that picks a region."""
 
-import json
-
 from freecad.sheetmorph import actions
 from freecad.sheetmorph.bridge import seen, selecting
 from freecad.sheetmorph.actions import call, name
@@ -11,10 +9,8 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import keeping
 from freecad.sheetmorph.panels.base import Panel, legend, say, vertices_said
 from freecad.sheetmorph.panels.fault_bar import FaultBar
-from freecad.sheetmorph.panels.folding import Folds
 from freecad.sheetmorph.interaction.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
-from freecad.sheetmorph.panels.typed import Typed
 from freecad.sheetmorph.qt import translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import PartLight
@@ -24,7 +20,7 @@ from freecad.sheetmorph.scene.wireframe import Wireframe
 from freecad.sheetmorph.tools import picking
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 from freecad.sheetmorph.tools.part_mesh import nearest_part
-from freecad.sheetmorph.tools.sentences import KEPT, operands
+from freecad.sheetmorph.tools.sentences import operands
 
 TITLES = {
     "fixed": QT_TRANSLATE_NOOP("SheetMorph_region", "Fixed Region"),
@@ -80,8 +76,7 @@ class RegionPanel(Panel):
         self._spaces = session.show(Wireframe(session.view))
         session.at_end(self._remove_view)
         self._mouse = session.show(PickMouse(session.view, self))
-        Folds({self.form.advanced: "OpenSelector"})
-        self._tools = PickTools(self.form, None, self.picked)
+        self._tools = PickTools(self.form, self.picked, lambda error: self._faults.say(error))
         self._tools.choose(picking.RIM if role == "form feature" else picking.FACE)
         self._faults = FaultBar(self.form, session, model.assembly_of(part))
         self._prepare_widgets()
@@ -101,7 +96,7 @@ class RegionPanel(Panel):
             self._picker.begin_with(selecting.sentence_of(self._region))
         self._picker.leave(picking.Taken(taken_from(part, self._role, self._region)))
         self._view = PickView(part.ViewObject, mesh, colours.ROLES[self._role])
-        self._tools.use(self._picker)
+        self._tools.use(self._picker, part)
         self._mouse.use(self._picker, self._view)
         self.form.part.setText(
             translate("SheetMorph_region", "On {0}").format(f"<b>{part.Label}</b>")
@@ -143,7 +138,7 @@ class RegionPanel(Panel):
             text = translate("SheetMorph_region", "Picked: {0}, {1} pieces")
         self.form.count.setText(text.format(vertices_said(len(picked)), pieces))
         self._faults.say("")
-        self._show_sentence()
+        self._spaces.show(selecting.spaces_of(self._part, self._tools.where))
         refused = ", ".join(f"'{label}'" for label in self._picker.refused)
         text = translate("SheetMorph_region", "Skipped vertices that already belong to {0}.")
         say(self.form.message, text.format(refused) if refused else "", bool(refused))
@@ -191,28 +186,6 @@ class RegionPanel(Panel):
             wanted = operands(said)
         return selecting.source_for(self._part, wanted, group)
 
-    # -- a typed selector
-
-    def _show_sentence(self) -> None:
-        """Show the selector of the picks, in the field for typed selectors."""
-        where = selecting.words_of(self._part, self._picker.said)
-        self.form.where.setText(json.dumps(where) if where else "")
-        self._spaces.show(selecting.spaces_of(self._part, where))
-
-    def _take_typed(self) -> None:
-        """Pick the vertices of the typed selector, or report its error."""
-        text = self.form.where.text().strip()
-        if not text:
-            return
-        try:
-            where = json.loads(text)
-            found = selecting.select(self._part, where)
-        except (ValueError, TypeError) as error:
-            self._faults.say(error)
-            return
-        self._picker.take(found, picking.REPLACE, {KEPT: where})
-        self.picked()
-
     def _remove_view(self) -> None:
         if self._view is not None:
             self._view.remove()
@@ -223,6 +196,5 @@ class RegionPanel(Panel):
         form = self.form
         is_new_feature = self._role == "form feature" and self._region is None
         form.separate.setVisible(is_new_feature)
-        self._typed = Typed(form.where, self._take_typed)
         self._tools.offer_holes(is_new_feature)
         form.legend.setText(legend(self._role))
