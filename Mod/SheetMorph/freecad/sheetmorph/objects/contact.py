@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from freecad.sheetmorph.objects.assembly import join_assembly
+from freecad.sheetmorph.objects.migrations import ADVANCED
 from freecad.sheetmorph.objects.model import CONTACT
 from freecad.sheetmorph.objects.orphans import MemberProxy
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
@@ -44,8 +45,8 @@ class ContactProxy(MemberProxy):
         Property("LinkHidden", "PartB", "Contact", "Part of the second side", mode=READ_ONLY),
         Property("FloatList", "VerticesA", "Contact", "Vertices of the first side", mode=HIDDEN),
         Property("FloatList", "VerticesB", "Contact", "Vertices of the second side", mode=HIDDEN),
-        Property("String", "WhereA", "Contact", WHERE_DOC, mode=READ_ONLY),
-        Property("String", "WhereB", "Contact", WHERE_DOC, mode=READ_ONLY),
+        Property("String", "WhereA", ADVANCED, WHERE_DOC, mode=READ_ONLY),
+        Property("String", "WhereB", ADVANCED, WHERE_DOC, mode=READ_ONLY),
         Property("String", "Kept", "Result", KEPT_DOC, None, READ_ONLY, is_output=True),
         Property("Distance", "GapChange", "Result", GAP_DOC, None, HIDDEN, is_output=True),
         Property("Distance", "Deviation", "Result", DEVIATION_DOC, None, HIDDEN, is_output=True),

@@ -10,6 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from freecad.sheetmorph.objects.migrations import VERSION
+
 SHOWN, READ_ONLY, HIDDEN = 0, 1, 2
 """Editor modes of FreeCAD."""
 
@@ -27,8 +29,9 @@ class Property:
     is_output: bool = False  # a change does not require a recompute
 
 
+SCHEMA_DOC = "Version of this object's properties"
 SCHEMA_VERSION = Property(
-    "Integer", "SchemaVersion", "SheetMorph", "Version of this object's properties", 1, HIDDEN
+    "Integer", "SchemaVersion", "SheetMorph", SCHEMA_DOC, VERSION, HIDDEN, is_output=True
 )
 
 

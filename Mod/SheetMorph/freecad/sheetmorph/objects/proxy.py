@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from freecad.sheetmorph import doors
+from freecad.sheetmorph.objects.migrations import migrate
 from freecad.sheetmorph.objects.properties import SCHEMA_VERSION, Property, apply_properties
 
 
@@ -33,7 +34,8 @@ class ObjectProxy:
         doors.give_looks(obj)
 
     def onDocumentRestored(self, obj) -> None:
-        """Add the properties that an object of an older version lacks."""
+        """Bring an object of an older version up to date."""
+        migrate(obj)
         apply_properties(obj, [SCHEMA_VERSION, *self.PROPERTIES])
 
     def dumps(self) -> None:

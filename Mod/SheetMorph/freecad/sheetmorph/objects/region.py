@@ -8,6 +8,7 @@ from dataclasses import replace
 import FreeCAD
 
 from freecad.sheetmorph.objects.assembly import join_assembly
+from freecad.sheetmorph.objects.migrations import ADVANCED
 from freecad.sheetmorph.objects.model import REGION
 from freecad.sheetmorph.objects.orphans import MemberProxy
 from freecad.sheetmorph.objects.properties import (
@@ -52,7 +53,7 @@ COMMON = (
     ),
     Property("LinkHidden", "Part", "Region", "The part of the region", mode=READ_ONLY),
     Property("FloatList", "Vertices", "Region", "Indices of the vertices", mode=HIDDEN),
-    Property("String", "Where", "Region", WHERE_DOC, mode=READ_ONLY),
+    Property("String", "Where", ADVANCED, WHERE_DOC, mode=READ_ONLY),
 )
 MOTION = (
     Property("Distance", "TranslationX", "Motion", "Translation along the global x axis"),
@@ -97,8 +98,7 @@ class RegionProxy(MemberProxy):
         show_properties_of_role(obj)
 
     def restore(self, obj) -> None:
-        """Add the choices of newer versions, and add the region to the morph of its part."""
-        offer_all_rotations(obj)
+        """Add the region to the morph of its part."""
         show_properties_of_role(obj)
         join_assembly(obj, obj.Part)
 
@@ -132,14 +132,6 @@ def show_properties_of_role(obj) -> None:
         obj.setEditorMode("MotionDirection", HIDDEN)
     if obj.Motion != AXIS:
         obj.setEditorMode("MotionPoint", HIDDEN)
-
-
-def offer_all_rotations(obj) -> None:
-    """Add the missing rotation choices to a region of an older version; its value stays."""
-    if obj.getEnumerationsOfProperty("Rotation") != ROTATIONS:
-        chosen = obj.Rotation
-        obj.Rotation = ROTATIONS
-        obj.Rotation = chosen
 
 
 def motion_of(region) -> Motion:

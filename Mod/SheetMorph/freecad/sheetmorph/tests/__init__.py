@@ -9,6 +9,7 @@ MODULES = tuple(
         "units",
         "kernel",
         "objects",
+        "migrations",
         "regions",
         "selectors",
         "motions",

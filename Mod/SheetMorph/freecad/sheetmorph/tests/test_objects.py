@@ -10,6 +10,7 @@ from freecad.sheetmorph import api, objects
 from freecad.sheetmorph.bridge import recipes, solving, units
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.assembly import together
+from freecad.sheetmorph.objects.migrations import VERSION
 from freecad.sheetmorph.objects.region import FEATURE, MOTION, motion_of
 from freecad.sheetmorph.tests import support
 
@@ -144,7 +145,7 @@ class TestProperties(support.DocumentTest):
         self.assertEqual(assembly.Energy, "neumann")
         self.assertEqual(part.FileName, "")
         self.assertEqual(tuple(handle.Pivot), (0.0, 0.0, 0.0))
-        self.assertEqual(handle.SchemaVersion, 1)
+        self.assertEqual(handle.SchemaVersion, VERSION)
 
     def test_the_energy_is_part_of_the_result(self):
         assembly, part, handle = self.add_morph()
