@@ -9,8 +9,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad.sheetmorph.tools.motion import UP, Motion
-
 Place = tuple[float, float]  # px from the lower left corner of the view
 
 BRUSH, RECTANGLE, LASSO = "brush", "rectangle", "lasso"
@@ -30,59 +28,26 @@ class Camera:
     height: float
 
     @classmethod
-    def of_pixels(cls, rows: np.ndarray) -> Camera:
-        """Return the camera of rows (4, 4) that give px, depth and divisor.
-
-        Rows (3, 4) stand for a view without perspective.
-        """
-        clip = np.vstack([rows, [[0.0, 0.0, 0.0, 1.0]]])[:4]
-        clip[:2] -= clip[3]
-        return cls(clip, 2.0, 2.0)
-
-    @classmethod
     def of_view(cls, view: Sequence[float], points: np.ndarray) -> Camera:
-        """Return a camera with the `view` of another one; it shows points (n, 3) mm.
-
-        The 12 or 16 numbers of an older document are the rows of `of_pixels`.
-        """
-        if len(view) in (12, 16):
-            return cls.of_pixels(np.array(view, float).reshape(-1, 4))
-        rows, origin = np.zeros((4, 4)), np.asarray(view[4:6], float)
-        rows[:3, :3] = matrix_of(view[:3])
-        rows[:3, 3] = -rows[:3, :3] @ view[6:] if len(view) == 9 else 0.0
-        away = -rows[2]
-        depths = points @ away[:3] + away[3]
-        rows[:2] *= view[3]
-        if len(view) == 9:
-            near = max(0.5 * depths.min(initial=np.inf, where=depths > 0.0), 1e-9)
-            far = 2.0 * max(depths.max(initial=0.0), near)
-            rows[:2] += np.outer(origin, away)
-            rows[2] = ((far + near) * away - [0.0, 0.0, 0.0, 2.0 * far * near]) / (far - near)
-            rows[3] = away
+        """Return the camera of a `view`, with depths for points (n, 3) mm."""
+        rows = np.reshape(view, (-1, 4)).astype(float)
+        if len(rows) == 2:
+            back = np.cross(*rows[:, :3])
+            depths = -points @ back
+            reach = max(np.ptp(depths), 1e-9)
+            rows = np.vstack([rows, [*-back / reach, -depths.mean() / reach], [0.0, 0.0, 0.0, 1.0]])
         else:
-            rows[:2, 3] += origin
-            rows[2] = (away - [0.0, 0.0, 0.0, depths.mean()]) / max(np.ptp(depths), 1e-9)
-            rows[3, 3] = 1.0
-        return cls.of_pixels(rows)
+            depths = points @ rows[2, :3] + rows[2, 3]
+            near = 0.5 * depths.min(initial=1e9, where=depths > 0.0)
+            rows = np.vstack([rows[:2], rows[2] - [0.0, 0.0, 0.0, 2.0 * near], rows[2]])
+        rows[:2] -= rows[3]
+        return cls(rows, 2.0, 2.0)
 
     @property
     def view(self) -> list[float]:
-        """The projection without its clipping planes, as 6 numbers, 9 with perspective.
-
-        The axis of the rotation to the screen times its degrees (3,), px per mm, and the pixel of
-        the origin (2,). With perspective, px per mm at a distance of 1 mm, the pixel straight ahead
-        (2,), and the eye (3,) mm.
-        """
+        """The rows (4,) of `to_pixels` that give px, and the divisor unless it is 1."""
         rows = self.to_pixels
-        if not rows[3, :3].any():
-            scale = np.linalg.norm(rows[0, :3])
-            return [*turn_of(rows[:2, :3] / scale), float(scale), *rows[:2, 3].tolist()]
-        rows = rows / np.linalg.norm(rows[3, :3])
-        origin = rows[:2, :3] @ rows[3, :3]
-        across = rows[:2, :3] - np.outer(origin, rows[3, :3])
-        scale = np.linalg.norm(across[0])
-        eye = np.linalg.solve(rows[[0, 1, 3], :3], -rows[[0, 1, 3], 3])
-        return [*turn_of(across / scale), float(scale), *origin.tolist(), *eye.tolist()]
+        return rows[[0, 1, 3] if rows[3, :3].any() else [0, 1]].ravel().tolist()
 
     @property
     def to_pixels(self) -> np.ndarray:
@@ -108,28 +73,6 @@ class Camera:
         places = 0.5 * (1.0 + corners[:, :2] / corners[:, 3:]) * (self.width, self.height)
         below, above = (places.min(axis=0) - 1.0, places.max(axis=0) + 1.0)  # 1 px for rounding
         return bool((below <= outline.max(axis=0)).all() and (above >= outline.min(axis=0)).all())
-
-
-def turn_of(across: np.ndarray) -> list[float]:
-    """Return a rotation as its axis times its degrees, from the first rows (2, 3) of its matrix."""
-    m = np.vstack([across, np.cross(*across)])
-    # The largest eigenvector is the quaternion (x, y, z, w), for any angle.
-    symmetric = np.zeros((4, 4))
-    symmetric[:3, :3] = m + m.T - np.trace(m) * np.eye(3)
-    symmetric[:3, 3] = symmetric[3, :3] = m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]
-    symmetric[3, 3] = np.trace(m)
-    turn = np.linalg.eigh(symmetric)[1][:, 3]
-    turn *= np.copysign(1.0, turn[3])
-    length = float(np.linalg.norm(turn[:3]))
-    degrees = math.degrees(2.0 * math.atan2(length, turn[3]))
-    return (degrees / max(length, 1e-300) * turn[:3]).tolist()
-
-
-def matrix_of(turn: Sequence[float]) -> np.ndarray:
-    """Return the matrix (3, 3) of a rotation given as its axis times its degrees."""
-    x, y, z = map(float, turn)
-    angle = math.hypot(x, y, z)
-    return Motion(axis=(x, y, z) if angle else UP, angle=angle).matrix()
 
 
 def circle(centre: Place, radius: float) -> np.ndarray:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from freecad.sheetmorph.tools.figures import DRAWN, matrix_of, number, turn_of
+from freecad.sheetmorph.tools.figures import DRAWN, number
 
 
 @dataclass(frozen=True)
@@ -38,10 +38,7 @@ Said = Any  # a selector, None if unknown
 
 @dataclass(frozen=True)
 class DrawnFigure:
-    """A figure on the screen: its places (px), the radius of a brush, and the numbers of the view.
-
-    `view` is for `Camera.of_view`.
-    """
+    """A figure on the screen: its places (px), the radius of a brush, and `Camera.view`."""
 
     tool: str
     places: list
@@ -85,16 +82,18 @@ def figure_of(told: dict) -> DrawnFigure:
             float(told.get("radius", 0.0)),
             bool(told.get("through", False)),
         )
-    except (KeyError, TypeError, ValueError) as error:
+    except (LookupError, TypeError, ValueError) as error:
         raise ValueError(f"A drawn figure has a {', '.join(DRAWN)}, and a view.") from error
-    if not figure.places or len(figure.view) not in (6, 9, 12, 16):
-        raise ValueError("A drawn figure has places, and a view of 6 or 9 numbers.")
+    if not figure.places or len(figure.view) not in (8, 12):
+        raise ValueError("A drawn figure has places, and a view of 8 or 12 numbers.")
     return figure
 
 
 def view_of(told: dict) -> list[float]:
-    """Return the numbers of a drawn figure's view; older documents have those of the camera."""
-    return [float(value) for value in (told["view"] if "view" in told else told["camera"])]
+    """Return the view of a drawn figure; the camera of an older document has a row for depths."""
+    if "view" in told:
+        return [float(value) for value in told["view"]]
+    return np.delete(np.reshape(told["camera"], (-1, 4)).astype(float), 2, 0).ravel().tolist()
 
 
 def added(first: Said, second: Said) -> Said:
@@ -146,14 +145,11 @@ def rounded(values: Sequence[float], digits: int) -> list[float]:
 
 def view_in_file(view: Sequence[float], frame: Any, digits: int) -> list[float]:
     """Return the numbers of a view for the coordinates of the file, rounded to `digits`."""
-    turn, (scale, *origin), eye = matrix_of(view[:3]), view[3:6], view[6:]
-    shift = frame.base - frame.rotation @ frame.origin
-    if len(eye):
-        eye = (np.asarray(eye) - shift) @ frame.rotation
-    else:
-        origin = np.asarray(origin) + scale * (turn @ shift)[:2]
-    degrees = rounded(turn_of((turn @ frame.rotation)[:2]), digits - 2)
-    return [*degrees, *(significant(float(value), digits) for value in (scale, *origin, *eye))]
+    to_global = np.eye(4)
+    to_global[:3, :3] = frame.rotation
+    to_global[:3, 3] = frame.base - frame.rotation @ frame.origin
+    rows = np.reshape(view, (-1, 4)) @ to_global
+    return [significant(value, digits) for value in rows.ravel().tolist()]
 
 
 def significant(value: float, digits: int) -> float:
@@ -226,19 +222,11 @@ def scaled(where: Said, factor: float) -> Said:
         if key in PLACES or key in LENGTHS:
             found[key] = (factor * np.asarray(value, float)).tolist()
         elif key == "drawn":
-            found[key] = {**value, "view": scaled_view(view_of(value), factor)}
+            rows = np.reshape(view_of(value), (-1, 4)) / ([factor] * 3 + [1.0])
+            found[key] = {**value, "view": rows.ravel().tolist()}
         else:
             found[key] = scaled(value, factor) if isinstance(value, (dict, list)) else value
     return found
-
-
-def scaled_view(view: list[float], factor: float) -> list[float]:
-    """Return the numbers of a view for a part enlarged by a factor."""
-    if len(view) == 6:
-        return [*view[:3], view[3] / factor, *view[4:]]
-    if len(view) == 9:
-        return [*view[:6], *(factor * value for value in view[6:])]
-    return (np.reshape(view, (-1, 4)) / ([factor] * 3 + [1.0])).ravel().tolist()
 
 
 def simplest(where: Said) -> Said:
