@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Contacts are marked with the mouse on both parts; what is marked can be changed and undone."""
 
+import json
 import os
 
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from desk import WORK, child, choose_below, click_point, click_widget, enter, picture, press
-from desk import press_tool, settled, tick
+from desk import press_tool, settled, tick, until, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from scenes import assembly, contacts, labelled, largest, new_assembly, part, regions, stored
@@ -80,10 +81,20 @@ def test_both_sides_can_be_picked_by_hand():
     child("facet").click()
     yield from click_point(ON_SHEET)
     assert child("count_a").text() == "3 vertices"
+    child("fold_advanced").setChecked(True)
+    assert len(json.loads(child("where").text())["vertices"]) == 3
     yield from choose_below(child("way"), 1)
+    assert child("where").text() == "", "side b has no pick yet"
     yield from click_point(ON_BRACKET)
     assert child("count_b").text() == "3 vertices"
     picture("contact-by-hand")
+    before = child("where").text()
+    for text, count in ((json.dumps({"vertices": [0, 1]}), "2 vertices"), (before, "3 vertices")):
+        child("where").setText(text)
+        child("where").setFocus()
+        yield from xdotool("key", "Return")
+        yield from until(lambda c=count: child("count_b").text() == c, count)
+    child("fold_advanced").setChecked(False)
     child("clear").click()
     yield from press("OK")
     assert "empty" in child("message").text() and contacts() == []

@@ -6,6 +6,9 @@ commits the step as soon as another one opens, and undoes a step only as a whole
 some of the changes, they are parked in two steps of the document: one with the changes that remain,
 and one that a redo restores.
 
+A stack of steps in the panel cannot replace this. FreeCAD offers Undo and Redo only if the document
+has steps, and executes them on the document.
+
 An exception leaves neither an open step nor a pending pose to the next panel. After `take_back` the
 document has the initial pose, even if a write failed before or during it.
 """
