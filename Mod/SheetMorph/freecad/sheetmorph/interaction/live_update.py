@@ -38,7 +38,7 @@ class LiveUpdate(QtCore.QObject):
         self._assembly = assembly
         self._updating = updating
         self._live = live_session.live(assembly)
-        self._frame = self._valuer = self._left = None
+        self._frame = self._full = self._valuer = self._left = None
         self._warned = self.fault = ""
         finishing().drop_scene(assembly)
         self.scene = LiveScene(assembly, self._live, session.view)
@@ -56,6 +56,10 @@ class LiveUpdate(QtCore.QObject):
         self._recompute_regions()
         self._worker.ask(self._live.ask([handle.Name for handle in moved], exact))
 
+    def ask_share(self, share: float) -> None:
+        """Request a view of a share of the present motions, from 0 (rest) to 1."""
+        self._worker.ask(self._live.ask_share(share))
+
     def ask_reach(self, handle, number: int, criteria: dict) -> bool:
         """Request the possible range of a handle's number, unless the worker is busy.
 
@@ -68,12 +72,24 @@ class LiveUpdate(QtCore.QObject):
 
     def grab(self, ray):
         """Return the grabbing.Grabbed vertex that a ray meets first on the displayed parts."""
-        parts = self._live.parts
-        seen = {name: rest.points for name, rest in parts.items()}
-        if self._frame is not None:
-            seen = self._frame.positions
-        meshes = {name: (seen[name], rest.triangles) for name, rest in parts.items()}
-        return grabbing.grab(kernel.core(), meshes, ray)
+        return grabbing.grab(kernel.core(), self.meshes(), ray)
+
+    def meshes(self) -> dict:
+        """Return the meshes in the present pose, (points (n, 3) mm, triangles (m, 3)) by part."""
+        return self._meshes_in(self._full)
+
+    def displayed(self) -> dict:
+        """Return the displayed meshes in the same form, which may be on the way from rest."""
+        return self._meshes_in(self._frame)
+
+    def at_rest(self) -> dict:
+        """Return the meshes at rest in the same form."""
+        return self._meshes_in(None)
+
+    def _meshes_in(self, frame) -> dict:
+        parts = {} if self._live is None else self._live.parts
+        seen = {} if frame is None else frame.positions
+        return {n: (seen.get(n, rest.points), rest.triangles) for n, rest in parts.items()}
 
     def refresh(self) -> None:
         """Update the details of the scene, unless the worker will draw a new frame."""
@@ -108,11 +124,11 @@ class LiveUpdate(QtCore.QObject):
             finishing().finish(self._assembly).take(self.scene)
         else:
             self.scene.remove()
-        self._live = self._frame = self._valuer = self.legend = None
+        self._live = self._frame = self._full = self._valuer = self.legend = None
 
     def _is_left(self) -> bool:
         """Return whether the final shape of the present pose is being computed."""
-        if self._left is None or self._frame is None:
+        if self._left is None or self._frame is None or self.shown.share < 1.0:
             return False
         try:
             is_due = finishing().is_due(self._assembly)
@@ -138,6 +154,9 @@ class LiveUpdate(QtCore.QObject):
         self.drawn.emit()
         self._warn_of_learning()
         question = self._frame.question
+        if question.share < 1.0:
+            return
+        self._full = self._frame
         if question.is_exact and is_new:
             self._commit()
         elif is_new and self._worker.is_free and self._updating.is_due_now():
@@ -166,7 +185,13 @@ class LiveUpdate(QtCore.QObject):
     @property
     def is_preview(self) -> bool:
         """Whether the displayed frame is refined on release and may change visibly."""
-        return self._frame is not None and self._frame.is_preview
+        is_full = self._frame is not None and self.shown.share == 1.0
+        return is_full and self._frame.is_preview
+
+    @property
+    def shown(self) -> live_session.Question:
+        """The request that the displayed frame answers."""
+        return self._frame.question
 
     @property
     def unsettled(self) -> str:

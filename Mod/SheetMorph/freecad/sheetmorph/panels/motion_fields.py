@@ -3,7 +3,8 @@
 
 from freecad.sheetmorph.panels.base import CHOSEN
 from freecad.sheetmorph.qt import QtCore, connect, translate
-from freecad.sheetmorph.tools.motion import Motion
+from freecad.sheetmorph.tools.local_axes import GLOBAL, to_global, to_local
+from freecad.sheetmorph.tools.motion import UP, Motion
 
 DRIVEN = {
     "translation_x": "TranslationX",
@@ -23,6 +24,7 @@ class MotionFields(QtCore.QObject):
         self._form = form
         self._is_writing = False
         self._at_centroid = True
+        self.axes = GLOBAL
         form.angle.measure("deg")
         connect(form.angle, "valueChanged(double)", self._send)
         for c in "xyz":
@@ -37,21 +39,26 @@ class MotionFields(QtCore.QObject):
         connect(form.centre, "clicked()", self._return_to_centroid)
 
     def read(self) -> Motion:
-        """Return the motion in the fields."""
+        """Return the motion in the fields, whose vectors are along the columns of `axes`."""
         form = self._form
-        shift = tuple(getattr(form, f"translation_{c}").value() for c in "xyz")
-        axis = tuple(getattr(form, f"axis_{c}").value() for c in "xyz")
+        shift, axis = (to_global(self.axes, self._vector(kind)) for kind in ("translation", "axis"))
         pivot = tuple(getattr(form, f"pivot_{c}").value() for c in "xyz")
         return Motion(shift, axis, form.angle.value(), None if self._at_centroid else pivot)
+
+    def _vector(self, kind: str) -> tuple:
+        return tuple(getattr(self._form, f"{kind}_{c}").value() for c in "xyz")
 
     def write(self, motion: Motion, pivot) -> None:
         """Show a motion without sending `changed`; `pivot` (3,) mm is the centroid."""
         self._is_writing = True
         self._at_centroid = motion.pivot is None
         shown = pivot if self._at_centroid else motion.pivot
+        shift, axis = (to_local(self.axes, v) for v in (motion.translation, motion.axis))
+        if not motion.angle and self.axes is not GLOBAL:
+            axis = UP  # the handle's normal, as no axis is in use
         for k, c in enumerate("xyz"):
-            getattr(self._form, f"translation_{c}").setValue(motion.translation[k])
-            getattr(self._form, f"axis_{c}").setValue(motion.axis[k])
+            getattr(self._form, f"translation_{c}").setValue(shift[k])
+            getattr(self._form, f"axis_{c}").setValue(axis[k])
             getattr(self._form, f"pivot_{c}").setValue(shown[k])
         self._form.angle.setValue(motion.angle)
         self._form.centre.setEnabled(not self._at_centroid)
@@ -84,7 +91,7 @@ class MotionFields(QtCore.QObject):
 
     def _show_direction(self) -> None:
         """Press the button of the axis in the fields, if it is x, y or z."""
-        axis = self.read().axis
+        axis = self._vector("axis")
         for k, c in enumerate("xyz"):
             is_along = axis[k] > 0.0 and not any(axis[:k] + axis[k + 1 :])
             getattr(self._form, f"along_{c}").setChecked(is_along)

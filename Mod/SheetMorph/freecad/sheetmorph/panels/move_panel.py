@@ -11,7 +11,8 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import OPEN_CONTACT, UNREACHED
 from freecad.sheetmorph.objects.region import motion_of
 from freecad.sheetmorph.panels import keeping, progress, propagation_tree
-from freecad.sheetmorph.panels.base import Panel, legend, listed, say
+from freecad.sheetmorph.panels.axes_field import AxesField
+from freecad.sheetmorph.panels.base import Panel, listed, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.folding import Folds
 from freecad.sheetmorph.interaction.finishing import finishing
@@ -24,7 +25,6 @@ from freecad.sheetmorph.interaction.moved_handles import MovedHandles
 from freecad.sheetmorph.panels.show_fields import ShowFields
 from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, number, translate
 from freecad.sheetmorph.scene.handle_marks import HandleMarks
-from freecad.sheetmorph.scene.legend import ViewLegend
 from freecad.sheetmorph.tools.motion import Motion
 from freecad.sheetmorph.tools.updating import PAUSE, Updating
 
@@ -56,11 +56,8 @@ class MovePanel(Panel):
         self._name = handle.Name
         self._updating = Updating(preferences.get("UpdateResults"))
         self._live = None
-        self._fields = MotionFields(self.form)
-        view_legend = session.show(ViewLegend(session.view))
-        view_legend.show_roles(legend(""))
-        has_elements = bool(model.decks(assembly))
-        self._shown = ShowFields(self.form, view_legend, has_elements)
+        self._fields, self._axes = MotionFields(self.form), AxesField(self.form, self._fill_anew)
+        self._shown = ShowFields(self.form, session, bool(model.decks(assembly)))
         self._faults = FaultBar(self.form, session, assembly)
         self._faults.mended.connect(self._follow_later)
         form = self.form
@@ -130,7 +127,7 @@ class MovePanel(Panel):
             return
         actions.note(actions.call("update_shapes", actions.name(owner)))
 
-    # -- following fields and mouse; HandleDrag calls the next five
+    # -- following fields and mouse; HandleDrag calls the next seven
 
     @property
     def _handle(self):
@@ -144,6 +141,10 @@ class MovePanel(Panel):
     def pivot(self) -> tuple:
         """Return the pivot of the chosen handle at rest, (3,) mm."""
         return self._handles.pivot(self._handle)
+
+    def axes(self):
+        """Return the directions of the arrows before the rotation, as columns (3, 3)."""
+        return self._fields.axes
 
     def put(self, motion: Motion) -> None:
         """Apply a motion from the mouse."""
@@ -161,7 +162,7 @@ class MovePanel(Panel):
 
     def grab(self, ray):
         """Choose or create the handle under the mouse; return the position of its vertex."""
-        if self._live is None:
+        if self._live is None or self._shown.leave_share():
             return None
         found = self._live.grab(ray)
         if found is None:
@@ -173,6 +174,10 @@ class MovePanel(Panel):
             return None
         self._choose(handle)
         return found.point
+
+    def meshes(self) -> dict:
+        """Return the meshes in the present pose, (points (n, 3) mm, triangles (m, 3)) by part."""
+        return {} if self._live is None else self._live.meshes()
 
     def _make_handle(self, found):
         """Create a handle of one vertex; without a solution show why and return None."""
@@ -280,7 +285,10 @@ class MovePanel(Panel):
         text = translate("SheetMorph_panels", "Computed in {0:.1f} ms, drawn in {1:.1f} ms")
         text = text.format(computed, drawn)
         is_steel = self._handles.assembly.Energy == "steel"
-        if self._live.is_preview and is_steel:
+        if self._live.shown.share < 1.0:
+            told = translate("SheetMorph_panels", "Shown at {0:.0f} % of the motion. {1}")
+            text = told.format(100.0 * self._live.shown.share, text)
+        elif self._live.is_preview and is_steel:
             told = translate(
                 "SheetMorph_panels", "Linear preview; the steel shape is computed on a pause. {0}"
             )
@@ -359,9 +367,14 @@ class MovePanel(Panel):
     def _fill(self) -> None:
         """Show the motion of the handle."""
         self._tell_who_stays()
+        self._fields.axes = self._axes.of(self._handle)
         self._fields.write(self.motion(), self.pivot())
         self._fields.lock({path.lstrip("."): text for path, text in self._handle.ExpressionEngine})
         self.form.rotation.setEnabled(not self._handle.FreeRotation)
+
+    def _fill_anew(self) -> None:
+        self._fill()
+        self._drag.place()
 
     def _fill_list(self) -> None:
         """List the present handles."""
@@ -379,8 +392,7 @@ class MovePanel(Panel):
     def _on_choice(self, index: int) -> None:
         self._name = self._handles.all[index].Name
         self._reach.forget()
-        self._fill()
-        self._drag.place()
+        self._fill_anew()
         self._mark_others()
 
     def _choose_update(self, preference: int) -> None:
