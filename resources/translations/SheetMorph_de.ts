@@ -1916,10 +1916,6 @@
    <source>Mid-point</source>
    <translation>Kantenmitte</translation>
   </message>
-  <message>
-   <source>Point</source>
-   <translation>Punkt</translation>
-  </message>
  </context>
  <context>
   <name>SheetMorph_picking</name>

@@ -1916,10 +1916,6 @@
    <source>Mid-point</source>
    <translation>中点</translation>
   </message>
-  <message>
-   <source>Point</source>
-   <translation>点</translation>
-  </message>
  </context>
  <context>
   <name>SheetMorph_picking</name>

@@ -97,6 +97,29 @@ def clip_planes() -> list:
     return [plane for plane in planes if plane.on.getValue()]
 
 
+def sections() -> list:
+    """FreeCAD's visible panels of section planes."""
+    docks = Gui.getMainWindow().findChildren(QtGui.QDockWidget)
+    return [d for d in docks if d.isVisible() and d.findChild(QtGui.QDoubleSpinBox, "clipY")]
+
+
+def show_section(field: str, offset: float):
+    """Opens the section planes with the button, and switches one on at an offset, mm."""
+    yield from click_widget(child("section"))
+    yield from until(sections, "FreeCAD's section planes")
+    yield from laid_out()
+    (dock,) = sections()
+    dock.findChild(QtGui.QGroupBox, f"groupBox{field[-1]}").setChecked(True)
+    dock.findChild(QtGui.QDoubleSpinBox, field).setValue(offset)
+    yield from settled()
+
+
+def close_sections() -> None:
+    """Closes them, which ends the cut."""
+    for dock in sections():
+        dock.close()
+
+
 def test_the_section_planes_of_freecad_cut_the_moved_shape():
     yield from new_morph()
     rest = stored()
@@ -104,30 +127,16 @@ def test_the_section_planes_of_freecad_cut_the_moved_shape():
     yield from enter(child("translation_z"), "10")
     yield from settled()
     place = (60.0, 5.0, 0.0)
-    sheet = colour_at(place)
-    yield from click_widget(child("section"))
-    docks = lambda: [  # noqa: E731
-        d
-        for d in Gui.getMainWindow().findChildren(QtGui.QDockWidget)
-        if d.isVisible() and d.findChildren(QtGui.QWidget, "Gui__Dialog__Clipping")
-    ]
-    yield from until(docks, "FreeCAD's section planes")
-    yield from laid_out()
-    box = docks()[0].findChild(QtGui.QGroupBox, "groupBoxY")
-    offset = docks()[0].findChild(QtGui.QDoubleSpinBox, "clipY")
-    picture("section-panel")
-    box.setChecked(True)
-    offset.setValue(30.0)
-    yield from settled()
+    whole = colour_at(place)
+    yield from show_section("clipY", 30.0)
     picture("section")
     assert len(clip_planes()) == 1
     cut = colour_at(place)
-    assert max(abs(a - b) for a, b in zip(sheet, cut)) > 12, (sheet, cut)
+    assert max(abs(a - b) for a, b in zip(whole, cut)) > 12, (whole, cut)
     yield from enter(child("translation_z"), "20")
     yield from settled()
-    picture("section-moved")
-    assert Gui.Control.activeDialog()
+    assert Gui.Control.activeDialog() and len(clip_planes()) == 1
     yield from press("Cancel")
-    docks()[0].close()
+    close_sections()
     yield from settled()
     assert clip_planes() == [] and np.array_equal(stored(), rest)

@@ -2,11 +2,14 @@
 """Updates of the 3D view and of the result objects during a motion."""
 
 import time
+from dataclasses import dataclass
 
 import FreeCAD as App
+import numpy as np
 
 from freecad.sheetmorph.bridge import kernel, live_session
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.errors import FLIPPED
 from freecad.sheetmorph.interaction.finishing import finishing
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.interaction.live_scene import LiveScene
@@ -14,6 +17,14 @@ from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools import grabbing, live_values, words
 
 SHOWN = object()  # the question for the displayed frame in other colours
+
+
+@dataclass(frozen=True, eq=False)
+class Flips:
+    """The triangles (k,) that flip in a frame, by part; empty arrays ask for those of the parts."""
+
+    frame: live_session.Frame
+    triangles: dict
 
 
 class LiveUpdate(QtCore.QObject):
@@ -143,9 +154,15 @@ class LiveUpdate(QtCore.QObject):
         if answer is None or isinstance(answer, live_session.Reached):
             self.reached.emit(answer)
             return
+        if isinstance(answer, Flips):
+            if answer.frame is self._frame:
+                self.scene.mark_flips(answer.triangles)
+            return
         is_new = answer[0] is not self._frame
         self._frame, values, self.legend, milliseconds = answer
         self.fault = ""
+        if is_new:
+            self.scene.mark_flips({})
         self.kernel_ms = milliseconds if is_new else self.kernel_ms
         start = time.perf_counter()
         self.scene.show(self._frame, values, self.legend)
@@ -219,6 +236,8 @@ class LiveUpdate(QtCore.QObject):
         """
         if isinstance(question, live_session.ReachQuestion):
             return self._live.reach(question, lambda: self._worker.is_free)
+        if isinstance(question, Flips):
+            return self._flips(question)
         start, valuer = time.perf_counter(), self._valuer
         is_shown = question is SHOWN
         frame = self._frame if is_shown else self._live.answer(question, self._goes_on)
@@ -247,6 +266,19 @@ class LiveUpdate(QtCore.QObject):
         fault = model.failure_of(self._assembly)
         if fault:
             self.failed.emit(fault)
+        warned = [w for w in model.warnings_of(self._assembly) if w.code == FLIPPED]
+        if warned and self._worker.is_free:
+            names = [name for warning in warned for name in warning.objects]
+            self._worker.ask(Flips(self._frame, dict.fromkeys(names, np.zeros(0, int))))
+
+    def _flips(self, asked: Flips) -> Flips:
+        """Find the triangles that flip in the parts of a question, in the worker thread."""
+        parts, seen, found = self._live.parts, asked.frame.positions, {}
+        for name in asked.triangles:
+            rest = parts[name]
+            change = kernel.core().compare_quality(rest.points, seen[name], rest.triangles)
+            found[name] = np.asarray(change.flipped_triangles)
+        return Flips(asked.frame, found)
 
     def _recompute_regions(self) -> None:
         """Evaluate expressions between handles, which is cheap without the parts."""

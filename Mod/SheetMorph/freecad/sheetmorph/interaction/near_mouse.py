@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The vertex, mid-point or surface point under the mouse, found without a pause of the window."""
+"""The vertex or mid-point under the mouse, found without a pause of the window."""
 
 from concurrent import futures
 
@@ -13,7 +13,8 @@ from freecad.sheetmorph.tools import places
 from freecad.sheetmorph.tools.part_mesh import meets_box
 from freecad.sheetmorph.tools.rims import Ray
 
-AROUND = 6.0  # px: a ray this far from the mouse finds the outline of a part that the mouse misses
+AROUND = 6.0  # px: rays this far from the mouse find the corner of a part that the mouse misses
+RAYS = np.array([(0, 0), *((x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y)])
 
 
 class NearMouse(QtCore.QObject):
@@ -48,13 +49,18 @@ class NearMouse(QtCore.QObject):
         self._thread.submit(self._build, meshes)
 
     def at(self, camera, mouse):
-        """Return the places.Place nearest to the mouse (2,) px, None without one."""
-        for dx, dy in ((0, 0), (AROUND, 0), (-AROUND, 0), (0, AROUND), (0, -AROUND)):
-            near, far = camera.line(mouse[0] + dx, mouse[1] + dy)
+        """Return the vertex or mid-point nearest to the mouse (2,) px as a places.Place, or None.
+
+        At the corner of a part, the triangle under the mouse need not have the nearest vertex.
+        """
+        found = []
+        for place in mouse + AROUND * RAYS:
+            near, far = camera.line(*place)
             part, hit = self._first_hit(Ray(near, far - near))
             if hit is not None:
-                return places.place_near(part, self._meshes[part], hit, camera, mouse)
-        return None
+                found.append(places.place_near(part, self._meshes[part], hit, camera, mouse))
+        points = [place for place in found if place.kind != places.SURFACE]
+        return min(points, key=lambda one: camera.away(self.position(one), mouse)[0], default=None)
 
     def position(self, place) -> np.ndarray:
         """Return the position (3,) of a place on the searched meshes."""
@@ -67,6 +73,7 @@ class NearMouse(QtCore.QObject):
     def remove(self) -> None:
         """Release the trees, without waiting for the thread."""
         self.forget()
+        self._on_ready = None
         thread, self._thread = self._thread, None
         if thread is not None:
             ENDING.add(self)
@@ -83,6 +90,8 @@ class NearMouse(QtCore.QObject):
         for name, (points, triangles) in meshes.items():
             if self._meshes is not meshes:
                 return
+            if not len(triangles):
+                continue
             tree = kernel.core().PickingTree(points, triangles)
             trees[name] = tree, points.min(axis=0), points.max(axis=0)
         self._built = meshes, trees

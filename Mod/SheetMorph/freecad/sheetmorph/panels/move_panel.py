@@ -58,7 +58,7 @@ class MovePanel(Panel):
         self._live = None
         self._fields, self._axes = MotionFields(self.form), AxesField(self.form, self._fill_anew)
         self._shown = ShowFields(self.form, session, bool(model.decks(assembly)))
-        self._faults = FaultBar(self.form, session, assembly)
+        self._faults = FaultBar(self.form, session, assembly, paints=True)
         self._faults.mended.connect(self._follow_later)
         form = self.form
         Folds({form.pivot: "OpenPivot", form.mouse: "OpenMouse", form.showing: "OpenShow"})

@@ -47,8 +47,7 @@ def place_near(part: str, mesh: tuple, hit, camera: Camera, mouse) -> Place:
     """
     points, triangles = mesh
     vertices = np.asarray(triangles[hit.triangle])
-    pixels = camera.pixels(_CANDIDATES @ points[vertices])[:, :2]
-    away = np.linalg.norm(pixels - np.asarray(mouse, float), axis=1)
+    away = camera.away(_CANDIDATES @ points[vertices], mouse)
     nearest = int(away.argmin())
     if away[nearest] > REACH:
         return Place(part, vertices, np.asarray(hit.barycentric), SURFACE)
