@@ -1070,6 +1070,18 @@
    <translation>Der Griff, den Sie bewegen</translation>
   </message>
   <message>
+   <source>The axes of fields and arrows: global, or local: Z is the normal of the sheet at the handle, X its longest direction</source>
+   <translation>Die Achsen der Felder und Pfeile: global oder lokal: Z ist die Normale des Blechs am Griff, X seine längste Richtung</translation>
+  </message>
+  <message>
+   <source>Global axes</source>
+   <translation>Globale Achsen</translation>
+  </message>
+  <message>
+   <source>Local axes</source>
+   <translation>Lokale Achsen</translation>
+  </message>
+  <message>
    <source>Translation</source>
    <translation>Verschiebung</translation>
   </message>
@@ -1078,24 +1090,24 @@
    <translation>X</translation>
   </message>
   <message>
-   <source>Translation along the global X axis</source>
-   <translation>Verschiebung entlang der globalen x-Achse</translation>
+   <source>Translation along the X axis</source>
+   <translation>Verschiebung entlang der X-Achse</translation>
   </message>
   <message>
    <source>Y</source>
    <translation>Y</translation>
   </message>
   <message>
-   <source>Translation along the global Y axis</source>
-   <translation>Verschiebung entlang der globalen y-Achse</translation>
+   <source>Translation along the Y axis</source>
+   <translation>Verschiebung entlang der Y-Achse</translation>
   </message>
   <message>
    <source>Z</source>
    <translation>Z</translation>
   </message>
   <message>
-   <source>Translation along the global Z axis</source>
-   <translation>Verschiebung entlang der globalen z-Achse</translation>
+   <source>Translation along the Z axis</source>
+   <translation>Verschiebung entlang der Z-Achse</translation>
   </message>
   <message>
    <source>Rotation</source>
@@ -1198,8 +1210,8 @@
    <translation>Einrasten auf</translation>
   </message>
   <message>
-   <source>Drags in steps</source>
-   <translation>Zieht in Schritten</translation>
+   <source>Drags in steps; Ctrl reverses this choice while you hold it</source>
+   <translation>Zieht in Schritten; solange Sie Strg halten, gilt das Gegenteil</translation>
   </message>
   <message>
    <source>Step of translations</source>
@@ -1210,8 +1222,28 @@
    <translation>Schrittweite von Drehungen</translation>
   </message>
   <message>
+   <source>Snap to points of parts</source>
+   <translation>Auf Punkte von Teilen einrasten</translation>
+  </message>
+  <message>
+   <source>Drags the handle to the vertex or mid-point of an edge under the mouse, or level with it; Shift reverses this choice while you hold it</source>
+   <translation>Zieht den Griff zum Knoten oder zur Kantenmitte unter der Maus oder auf deren Höhe; solange Sie die Umschalttaste halten, gilt das Gegenteil</translation>
+  </message>
+  <message>
    <source>Show</source>
    <translation>Zeigen</translation>
+  </message>
+  <message>
+   <source>Before</source>
+   <translation>Vorher</translation>
+  </message>
+  <message>
+   <source>Shows the shape on its way from rest to the full motion; the motion itself stays unchanged</source>
+   <translation>Zeigt die Form auf dem Weg von der Ruhelage zur vollen Bewegung; die Bewegung selbst bleibt unverändert</translation>
+  </message>
+  <message>
+   <source>After</source>
+   <translation>Nachher</translation>
   </message>
   <message>
    <source>Original</source>
@@ -1268,6 +1300,22 @@
   <message>
    <source>Number of elements by quality. Bars: current shape; grey lines: at rest; red: limit</source>
    <translation>Anzahl der Elemente nach Qualität. Balken: aktuelle Form; graue Linien: in Ruhe; rot: Grenze</translation>
+  </message>
+  <message>
+   <source>Measure</source>
+   <translation>Messen</translation>
+  </message>
+  <message>
+   <source>Measures the distance between two points that you click: at rest, now, and the change</source>
+   <translation>Misst den Abstand zweier Punkte, die Sie anklicken: in Ruhe, jetzt und die Änderung</translation>
+  </message>
+  <message>
+   <source>Section Planes…</source>
+   <translation>Schnittebenen…</translation>
+  </message>
+  <message>
+   <source>Opens FreeCAD's section planes, which cut the view along X, Y, Z or the line of sight</source>
+   <translation>Öffnet die Schnittebenen von FreeCAD, die die Ansicht entlang X, Y, Z oder der Blickrichtung schneiden</translation>
   </message>
   <message>
    <source>Reset</source>
@@ -1521,6 +1569,18 @@
    <translation>nur ausgewählte Teile</translation>
   </message>
   <message>
+   <source>Distance {0}; at rest {1}; change {2}</source>
+   <translation>Abstand {0}; in Ruhe {1}; Änderung {2}</translation>
+  </message>
+  <message>
+   <source>Click the second point.</source>
+   <translation>Klicken Sie auf den zweiten Punkt.</translation>
+  </message>
+  <message>
+   <source>Click two points of the parts.</source>
+   <translation>Klicken Sie auf zwei Punkte der Teile.</translation>
+  </message>
+  <message>
    <source>Driven by the expression {0}</source>
    <translation>Vom Ausdruck {0} gesteuert</translation>
   </message>
@@ -1533,8 +1593,8 @@
    <translation>Diese Teile folgen nicht, weil kein Kontakt sie erreicht: {0}</translation>
   </message>
   <message>
-   <source>Linear preview; the steel shape is computed on a pause. {0}</source>
-   <translation>Lineare Vorschau; die Stahlform wird in einer Pause berechnet. {0}</translation>
+   <source>Shown at {0:.0f} % of the motion. {1}</source>
+   <translation>Gezeigt bei {0:.0f} % der Bewegung. {1}</translation>
   </message>
   <message>
    <source>Computing the exact shape</source>
@@ -1547,6 +1607,10 @@
   <message>
    <source>{0} contacts open or close too far (see Propagation). The first:</source>
    <translation>{0} Kontakte öffnen oder schließen sich zu weit (siehe Ausbreitung). Der erste:</translation>
+  </message>
+  <message>
+   <source>Linear preview; the steel shape is computed on a pause. {0}</source>
+   <translation>Lineare Vorschau; die Stahlform wird in einer Pause berechnet. {0}</translation>
   </message>
   <message>
    <source>Computing steel shape (step {0})</source>
@@ -1843,6 +1907,14 @@
   <message>
    <source>largest change</source>
    <translation>größte Änderung</translation>
+  </message>
+  <message>
+   <source>Vertex</source>
+   <translation>Knoten</translation>
+  </message>
+  <message>
+   <source>Mid-point</source>
+   <translation>Kantenmitte</translation>
   </message>
  </context>
  <context>

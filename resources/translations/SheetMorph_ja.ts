@@ -1070,6 +1070,18 @@
    <translation>動かすハンドル</translation>
   </message>
   <message>
+   <source>The axes of fields and arrows: global, or local: Z is the normal of the sheet at the handle, X its longest direction</source>
+   <translation>入力欄と矢印の軸: グローバル、またはローカル。ローカルの Z はハンドル位置での板の法線、X はハンドルの最も長い方向です</translation>
+  </message>
+  <message>
+   <source>Global axes</source>
+   <translation>グローバル軸</translation>
+  </message>
+  <message>
+   <source>Local axes</source>
+   <translation>ローカル軸</translation>
+  </message>
+  <message>
    <source>Translation</source>
    <translation>平行移動</translation>
   </message>
@@ -1078,24 +1090,24 @@
    <translation>X</translation>
   </message>
   <message>
-   <source>Translation along the global X axis</source>
-   <translation>全体座標のX軸に沿う移動</translation>
+   <source>Translation along the X axis</source>
+   <translation>X 軸方向の移動</translation>
   </message>
   <message>
    <source>Y</source>
    <translation>Y</translation>
   </message>
   <message>
-   <source>Translation along the global Y axis</source>
-   <translation>全体座標のY軸に沿う移動</translation>
+   <source>Translation along the Y axis</source>
+   <translation>Y 軸方向の移動</translation>
   </message>
   <message>
    <source>Z</source>
    <translation>Z</translation>
   </message>
   <message>
-   <source>Translation along the global Z axis</source>
-   <translation>全体座標のZ軸に沿う移動</translation>
+   <source>Translation along the Z axis</source>
+   <translation>Z 軸方向の移動</translation>
   </message>
   <message>
    <source>Rotation</source>
@@ -1198,8 +1210,8 @@
    <translation>刻み</translation>
   </message>
   <message>
-   <source>Drags in steps</source>
-   <translation>刻みに合わせてドラッグします</translation>
+   <source>Drags in steps; Ctrl reverses this choice while you hold it</source>
+   <translation>一定の刻みでドラッグします。Ctrl キーを押している間は逆になります</translation>
   </message>
   <message>
    <source>Step of translations</source>
@@ -1210,8 +1222,28 @@
    <translation>回転の刻み</translation>
   </message>
   <message>
+   <source>Snap to points of parts</source>
+   <translation>部品の点にスナップ</translation>
+  </message>
+  <message>
+   <source>Drags the handle to the vertex or mid-point of an edge under the mouse, or level with it; Shift reverses this choice while you hold it</source>
+   <translation>マウスの下の頂点または辺の中点まで、あるいはそれと同じ高さまでハンドルをドラッグします。Shift キーを押している間は逆になります</translation>
+  </message>
+  <message>
    <source>Show</source>
    <translation>表示</translation>
+  </message>
+  <message>
+   <source>Before</source>
+   <translation>変形前</translation>
+  </message>
+  <message>
+   <source>Shows the shape on its way from rest to the full motion; the motion itself stays unchanged</source>
+   <translation>初期状態から最終の動きまでの途中の形状を表示します。動きそのものは変わりません</translation>
+  </message>
+  <message>
+   <source>After</source>
+   <translation>変形後</translation>
   </message>
   <message>
    <source>Original</source>
@@ -1268,6 +1300,22 @@
   <message>
    <source>Number of elements by quality. Bars: current shape; grey lines: at rest; red: limit</source>
    <translation>品質ごとの要素数。棒: 現在の形状、灰色の線: 初期形状、赤: 限界</translation>
+  </message>
+  <message>
+   <source>Measure</source>
+   <translation>計測</translation>
+  </message>
+  <message>
+   <source>Measures the distance between two points that you click: at rest, now, and the change</source>
+   <translation>クリックした 2 点間の距離を計測します: 初期状態、現在、およびその変化</translation>
+  </message>
+  <message>
+   <source>Section Planes…</source>
+   <translation>断面…</translation>
+  </message>
+  <message>
+   <source>Opens FreeCAD's section planes, which cut the view along X, Y, Z or the line of sight</source>
+   <translation>FreeCAD の断面機能を開きます。X、Y、Z または視線方向でビューを切断します</translation>
   </message>
   <message>
    <source>Reset</source>
@@ -1521,6 +1569,18 @@
    <translation>選択した部品のみ</translation>
   </message>
   <message>
+   <source>Distance {0}; at rest {1}; change {2}</source>
+   <translation>距離 {0}、初期状態 {1}、変化 {2}</translation>
+  </message>
+  <message>
+   <source>Click the second point.</source>
+   <translation>2 点目をクリックしてください。</translation>
+  </message>
+  <message>
+   <source>Click two points of the parts.</source>
+   <translation>部品の 2 点をクリックしてください。</translation>
+  </message>
+  <message>
    <source>Driven by the expression {0}</source>
    <translation>式 {0} で決まります</translation>
   </message>
@@ -1533,8 +1593,8 @@
    <translation>次の部品は接触でつながっていないため追従しません: {0}</translation>
   </message>
   <message>
-   <source>Linear preview; the steel shape is computed on a pause. {0}</source>
-   <translation>線形プレビュー。手を止めると鋼板の形状を計算します。{0}</translation>
+   <source>Shown at {0:.0f} % of the motion. {1}</source>
+   <translation>動きの {0:.0f} % で表示しています。{1}</translation>
   </message>
   <message>
    <source>Computing the exact shape</source>
@@ -1547,6 +1607,10 @@
   <message>
    <source>{0} contacts open or close too far (see Propagation). The first:</source>
    <translation>{0} 個の接触の隙間が変わりすぎています(「伝播」を参照)。最初の接触:</translation>
+  </message>
+  <message>
+   <source>Linear preview; the steel shape is computed on a pause. {0}</source>
+   <translation>線形プレビュー。手を止めると鋼板の形状を計算します。{0}</translation>
   </message>
   <message>
    <source>Computing steel shape (step {0})</source>
@@ -1843,6 +1907,14 @@
   <message>
    <source>largest change</source>
    <translation>最大の変化</translation>
+  </message>
+  <message>
+   <source>Vertex</source>
+   <translation>頂点</translation>
+  </message>
+  <message>
+   <source>Mid-point</source>
+   <translation>中点</translation>
   </message>
  </context>
  <context>

@@ -11,19 +11,22 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 import Part
+from checks_dragging import drag_up, grab_up_arrow
 from checks_finding import bare_frame, cell_place
 from checks_flow import drag_arrow_up, loop_round, select, stroke_along
+from checks_measuring import close_sections, measure_ends, show_section
 from checks_moving import open_panel
 from checks_preparing import coarse_plate, is_previewed
 from checks_propagation import click_row
+from checks_snapping import marked
 from checks_solids import bracket, drag_and_type, import_step, keep_the_holes, mark_the_ends
 from checks_steel import choose_property
 from checks_reach import is_marked
 from checks_study import mirror_study
 from checks_thickness import is_drawn, thin_plate
 from checks_tutorial import mark, menu, near_edge
-from desk import WORK, activate, child, choose_below, click_widget, draw_along, enter, panel
-from desk import picture, press, press_tool, settled, tick, until, view, xdotool
+from desk import WORK, activate, child, choose_below, click_widget, draw_along, enter, on_screen
+from desk import panel, picture, press, press_tool, settled, tick, until, view, xdotool
 from freecad.sheetmorph import api, paths
 from freecad.sheetmorph.api.features import shape_of
 from freecad.sheetmorph.commands import exchange
@@ -242,6 +245,28 @@ def test_how_far_a_value_may_go():
     yield from until(is_marked, "the scale")
     yield from taken("reach")
     yield from press("Cancel")
+
+
+def test_tools_of_move_handle():
+    yield from new_morph()
+    yield from open_panel()
+    start = yield from grab_up_arrow()
+    yield from xdotool("keydown", "shift")
+    yield from drag_up(start, 1)
+    x, y = on_screen((0.0, 60.0, 20.0))
+    yield from xdotool("mousemove", x, y + 3, "mousemove", x, y)
+    yield from until(marked, "the mark")
+    yield from taken("snap")
+    yield from xdotool("mouseup", 1, "keyup", "shift")
+    yield from measure_ends()
+    yield from enter(child("translation_z"), "25")
+    yield from taken("measure")
+    yield from click_widget(child("measure"))
+    yield from show_section("clipY", 30.0)
+    yield from taken("section")
+    close_sections()
+    yield from press("Cancel")
+
 
 
 def test_a_step_file_comes_back():

@@ -2,6 +2,8 @@
 """The GUI tests that need the kernel; imported by name, one file a topic."""
 
 from checks_answering import *  # noqa: F401,F403
+from checks_axes import *  # noqa: F401,F403
+from checks_blame import *  # noqa: F401,F403
 from checks_contacts import *  # noqa: F401,F403
 from checks_decks import *  # noqa: F401,F403
 from checks_dragging import *  # noqa: F401,F403
@@ -13,6 +15,7 @@ from checks_finding import *  # noqa: F401,F403
 from checks_flow import *  # noqa: F401,F403
 from checks_guide import *  # noqa: F401,F403
 from checks_macro import *  # noqa: F401,F403
+from checks_measuring import *  # noqa: F401,F403
 from checks_moving import *  # noqa: F401,F403
 from checks_panels import *  # noqa: F401,F403
 from checks_picking import *  # noqa: F401,F403
@@ -22,7 +25,9 @@ from checks_preparing import *  # noqa: F401,F403
 from checks_propagation import *  # noqa: F401,F403
 from checks_reach import *  # noqa: F401,F403
 from checks_sentences import *  # noqa: F401,F403
+from checks_share import *  # noqa: F401,F403
 from checks_showing import *  # noqa: F401,F403
+from checks_snapping import *  # noqa: F401,F403
 from checks_solids import *  # noqa: F401,F403
 from checks_speed import *  # noqa: F401,F403
 from checks_steel import *  # noqa: F401,F403

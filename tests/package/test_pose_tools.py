@@ -3,7 +3,7 @@
 
 import pytest
 from freecad.sheetmorph.tools.motion import Motion, motion_from
-from freecad.sheetmorph.tools.poses import between, blended, from_text, to_text
+from freecad.sheetmorph.tools.poses import between, blended, from_text, share_of, to_text
 from sheetmorph.recipe.pose import entries_of, is_plainly_sound, pose_of
 from sheetmorph.recipe.structure import pose_faults
 
@@ -83,3 +83,13 @@ def test_a_weight_beyond_goes_beyond():
     assert between(Motion(), Motion((2.0, 0.0, 0.0), angle=10.0), 1.5) == Motion(
         (3.0, 0.0, 0.0), angle=15.0
     )
+
+
+def test_a_share_of_a_pose_keeps_axes_pivots_and_what_has_no_object():
+    entry = {"translation": [1.0, 2.0, 3.0]}
+    pose = {"a": FIRST, "b": Motion(None, None, size=3.0), "point": entry}
+    half = share_of(pose, 0.5)
+    assert half["a"] == Motion((0.5, 0.0, 0.0), FIRST.axis, 15.0, FIRST.pivot)
+    assert half["b"] == pose["b"] and half["point"] is entry
+    assert share_of(pose, 1.0) == pose
+    assert share_of(pose, 0.0)["a"].is_rest()

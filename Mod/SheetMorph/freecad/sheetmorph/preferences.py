@@ -10,8 +10,10 @@ PATH = "User parameter:BaseApp/Preferences/Mod/SheetMorph"
 DEFAULTS: dict[str, bool | int | float] = {
     "UpdateResults": 0,
     "Snap": False,
+    "SnapPoints": False,
     "SnapLength": 1.0,
     "SnapAngle": 5.0,
+    "LocalAxes": False,
     "ShowArrows": True,
     "CreaseAngle": 30.0,
     "HoleRings": 0,

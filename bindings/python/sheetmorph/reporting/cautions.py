@@ -19,7 +19,7 @@ from .lost_turns import lost_turns
 from .regions import region_remarks
 from .thin_solids import crossed_anew
 
-UNREACHED, OPEN_CONTACT = "unreached", "open contact"
+UNREACHED, OPEN_CONTACT, FLIPPED = "unreached", "open contact", "flipped"
 
 # Limits for the gap change of a contact: a share of the gap at rest and a share of the region size.
 # A gap below the last share of the region size counts as zero.
@@ -204,6 +204,8 @@ def _thinned(parts: list[dict[str, Any]]) -> Iterator[Caution]:
 
 def _misshapen(result: Answer, entry: dict[str, Any]) -> Iterator[Caution]:
     """Warn about the mesh of a part in this pose; entry is its part entry in the report."""
+    if entry["quality"]["flipped"]:
+        yield Caution(_flips(entry), Subject("part", entry["name"]), code=FLIPPED)
     for text in _misshapes(result, entry):
         yield _of_part(entry["name"], text)
 
@@ -212,15 +214,17 @@ def _of_part(name: str, text: str) -> Caution:
     return Caution(text, Subject("part", name))
 
 
+def _flips(entry: dict[str, Any]) -> str:
+    quality, where = entry["quality"], f' of "{entry["name"]}"'
+    return (
+        f"{folds(quality['flipped'], where)} onto a neighbour in this pose, at "
+        f"{at_place(quality['flipped_place'])}: remesh it, mark slivers as a "
+        "form feature, or turn it less"
+    )
+
+
 def _misshapes(result: Answer, entry: dict[str, Any]) -> Iterator[str]:
     name, quality = entry["name"], entry["quality"]
-    if quality["flipped"]:
-        where = f' of "{name}"'
-        yield (
-            f"{folds(quality['flipped'], where)} onto a neighbour in this pose, at "
-            f"{at_place(quality['flipped_place'])}: remesh it, mark slivers as a "
-            "form feature, or turn it less"
-        )
     yield from _squeezed(name, quality)
     yield from _crossing(result, name)
     tear = result.session.cuts(name).tear(result.positions[name])

@@ -29,7 +29,7 @@ from freecad.sheetmorph.bridge.solving import (
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.reporting import Progress
 from freecad.sheetmorph.tools.motion import Moving
-from freecad.sheetmorph.tools.poses import Pose
+from freecad.sheetmorph.tools.poses import Pose, share_of
 
 
 TURN, HALF_TURN = 3, 180.0
@@ -38,11 +38,21 @@ TURN, HALF_TURN = 3, 180.0
 
 @dataclass(frozen=True)
 class Question:
-    """A request: pose by recipe name, names of the dragged entries, and accuracy."""
+    """A request: pose by recipe name, names of the dragged entries, and accuracy.
+
+    A share below 1 shows the pose on its way from rest, which is a view only: the document never
+    follows it.
+    """
 
     pose: Pose
     moved: tuple[str, ...] = ()
     is_exact: bool = False
+    share: float = 1.0
+
+    @property
+    def shown_pose(self) -> Pose:
+        """The pose to compute."""
+        return self.pose if self.share == 1.0 else share_of(self.pose, self.share)
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,6 +146,11 @@ class LiveSession:
         self._pose = {**self._pose, name: moving.told}
         return Question(self._pose, (name,))
 
+    def ask_share(self, share: float) -> Question:
+        """Return the request for a share of the document's pose, for a view without a commit."""
+        pose = recipes.pose_of(self._assembly, self.names)
+        return Question(pose, tuple(pose), share=share)
+
     def posed(self, pose: Pose) -> Morph:
         """Return the morph of this session in a pose."""
         return replace(self._morph, pose=pose)
@@ -228,7 +243,7 @@ class LiveSession:
                 return self._session.deform(question.pose, progress=goes_on), question
             except kernel.core().Cancelled:
                 question = replace(question, is_exact=False)
-        return self._live.deform(question.pose, question.moved), question
+        return self._live.deform(question.shown_pose, question.moved), question
 
 
 def posed(asked: ReachQuestion, value: float) -> Pose:

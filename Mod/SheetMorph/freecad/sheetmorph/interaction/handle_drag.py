@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The mouse in the 3D view while handles move: arrows, points, snapping, Escape."""
 
+import numpy as np
+
 from freecad.sheetmorph.bridge.units import number_in
+from freecad.sheetmorph.interaction.snapping import Snapping
 from freecad.sheetmorph.scene.cursor_value import CursorValue
 from freecad.sheetmorph.scene.dragger import Dragger
 from freecad.sheetmorph.scene.point_drag import EscapeWatch, PointDrag
-from freecad.sheetmorph.tools.motion import Pull
+from freecad.sheetmorph.tools.motion import Pull, rounded
 
 
 class HandleDrag:
@@ -13,7 +16,7 @@ class HandleDrag:
 
     It sets and observes `moving`, a motion.Moving. `owner` has settle(), called when the mouse is
     released, and grab(ray), which chooses the vertex under the mouse and returns its position or
-    None.
+    None. Its meshes() returns the present meshes by part.
     """
 
     def __init__(self, view, moving, owner):
@@ -21,10 +24,10 @@ class HandleDrag:
         self._points = PointDrag(view, self)
         self._escape = EscapeWatch(self.on_escape)
         self._value = CursorValue(view)
+        self._snapping = Snapping(view, self._set_steps, self._again)
         self._pull = None
         self._arrows = None
-        self._steps = None
-        self._start = None
+        self._start = self._last = None
         self._has_arrow = False  # the mouse moves the arrows, which then follow nothing else
         self.moves_pivot = False
         moving.observe(self._follow)
@@ -33,6 +36,7 @@ class HandleDrag:
         """Remove everything from the view."""
         self._escape.stop()
         self._points.remove()
+        self._snapping.remove()
         self._value.remove()
         self.show_arrows(False)
 
@@ -48,16 +52,20 @@ class HandleDrag:
             self._arrows = None
         if is_shown:
             self._arrows = Dragger(self._view, self)
-            self._arrows.snap(self._steps)
+            self._snapping.end()  # sets the steps
             self._place()
 
     def use_points(self, is_on: bool) -> None:
         """Switch whether the mouse drags points, or acts as usual."""
         self._points.is_on = is_on
 
-    def snap(self, steps) -> None:
-        """Set the steps of the arrows, (mm, degrees), or None."""
-        self._steps = steps
+    def snap(self, steps, in_steps: bool, to_points: bool) -> None:
+        """Set the steps (mm, degrees), and whether drags use them and go to points of parts."""
+        self._snapping.steps = steps
+        self._snapping.uses_steps, self._snapping.uses_points = in_steps, to_points
+        self._set_steps(steps if in_steps else None)
+
+    def _set_steps(self, steps) -> None:
         if self._arrows is not None:
             self._arrows.snap(steps)
 
@@ -68,27 +76,36 @@ class HandleDrag:
     def _place(self) -> None:
         """Move the arrows to the present motion."""
         if self._arrows is not None:
-            self._arrows.place(self._moving.pivot, self._moving.motion)
+            self._arrows.place(self._moving.pivot, self._moving.motion, self._moving.axes)
 
     # -- called by the arrows
 
-    def on_grab(self) -> None:
-        """Start a drag of the arrows."""
-        self._start = self._moving.motion, self._moving.pivot
-        self._pull = Pull(self._moving.motion)
-        self._has_arrow = True
+    def on_grab(self, point=None) -> None:
+        """Start a drag of a point (3,) mm, or of the arrows."""
+        motion, pivot = self._start = self._moving.motion, self._moving.pivot
+        self._pull = Pull(motion)
+        self._has_arrow = point is None
         self._escape.start()
+        reference = np.add(pivot, motion.translation) if point is None else point
+        self._snapping.begin(reference, motion.matrix() @ self._moving.axes, self._owner.meshes)
 
     def on_drag(self, translation, axis, angle: float) -> None:
         """Handle a drag of the arrows."""
         if self._start is None:
             return
+        self._last = lambda: self.on_drag(translation, axis, angle)
         motion, pivot = self._start
+        shift = self._snapping.along_arrows(np.subtract(translation, motion.translation))
+        wanted = translation
+        if self._snapping.has_point:
+            wanted = rounded(shift + motion.translation)
         if self.moves_pivot:
-            place = [a + b for a, b in zip(pivot, translation)]
+            place = [a + b for a, b in zip(pivot, wanted)]
             self._moving.set(motion.about(pivot, place))
         else:
-            self._go_to(motion.turned(translation, axis, angle))
+            self._go_to(motion.turned(wanted, axis, angle))
+        if self._snapping.has_point:
+            self._place()
 
     def on_release(self) -> None:
         """End the drag; a value that was being typed counts."""
@@ -103,9 +120,15 @@ class HandleDrag:
             self._moving.set(motion)
         self._value.show(self._pull.described())
 
+    def _again(self) -> None:
+        """Repeat the last shift."""
+        if self._last is not None:
+            self._last()
+
     def _end(self) -> None:
-        self._start = self._pull = None
+        self._start = self._pull = self._last = None
         self._has_arrow = False
+        self._snapping.end()
         self._escape.stop()
         self._value.show("")
 
@@ -144,14 +167,14 @@ class HandleDrag:
         """Return the point to grab, or None."""
         point = self._owner.grab(ray)
         if point is not None:
-            self.on_grab()
-            self._has_arrow = False
+            self.on_grab(point)
         return point
 
     def on_pull(self, shift) -> None:
         """Handle a drag of the point."""
         if self._start is not None:
-            self._go_to(self._start[0].shifted(shift))
+            self._last = lambda: self.on_pull(shift)
+            self._go_to(self._start[0].shifted(self._snapping.in_view(shift)))
 
     on_drop = on_release
 

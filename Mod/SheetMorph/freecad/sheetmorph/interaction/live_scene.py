@@ -11,6 +11,7 @@ from freecad.sheetmorph.interaction import control_meshes
 from freecad.sheetmorph.scene import colours, drawing, preview
 from freecad.sheetmorph.scene.feature_marks import FeatureMarks
 from freecad.sheetmorph.scene.ghost import Ghost
+from freecad.sheetmorph.scene.highlight import Highlight
 from freecad.sheetmorph.scene.place_marks import PlaceMarks
 from freecad.sheetmorph.scene.wireframe import Wireframe
 from freecad.sheetmorph.tools import element_quality, live_values, words
@@ -28,6 +29,7 @@ class LiveScene:
         self._assembly, self._live, self._view = assembly, live, view
         self._previews, self._ghosts = {}, []
         self._wires = self._marks = self._places = None
+        self._flips = Highlight()
         self._are_filled = True
 
     def show(self, frame, values, legend) -> None:
@@ -69,6 +71,17 @@ class LiveScene:
         """Show or hide the displacements of all form features."""
         self._marks = self._exchanged(self._marks, FeatureMarks, is_on)
 
+    def mark_flips(self, triangles: dict) -> None:
+        """Mark the triangles (k,) of parts that flip, by name; none removes the marks."""
+        self._flips.clear()
+        for name, flipped in triangles.items():
+            drawn, part = self._live.parts[name].triangles[flipped], self._part(name)
+            if len(drawn) and part is not None:
+                self._flips.paint(part.ViewObject, drawn, colours.FAULT, np.unique(drawn))
+
+    def _part(self, name: str):
+        return self._assembly.Document.getObject(name)
+
     def valuer(self, kind: int):
         """Return the measure behind a kind of colours, None for NONE."""
         parts = self._live.parts
@@ -104,6 +117,7 @@ class LiveScene:
         self.use_original(False)
         self.use_wires(False)
         self.use_marks(False)
+        self._flips.clear()
         self._mark(())
         self._fill_regions(True)
 

@@ -2,11 +2,14 @@
 """Updates of the 3D view and of the result objects during a motion."""
 
 import time
+from dataclasses import dataclass
 
 import FreeCAD as App
+import numpy as np
 
 from freecad.sheetmorph.bridge import kernel, live_session
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.errors import FLIPPED
 from freecad.sheetmorph.interaction.finishing import finishing
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.interaction.live_scene import LiveScene
@@ -14,6 +17,14 @@ from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools import grabbing, live_values, words
 
 SHOWN = object()  # the question for the displayed frame in other colours
+
+
+@dataclass(frozen=True, eq=False)
+class Flips:
+    """The triangles (k,) that flip in a frame, by part; empty arrays ask for those of the parts."""
+
+    frame: live_session.Frame
+    triangles: dict
 
 
 class LiveUpdate(QtCore.QObject):
@@ -38,7 +49,7 @@ class LiveUpdate(QtCore.QObject):
         self._assembly = assembly
         self._updating = updating
         self._live = live_session.live(assembly)
-        self._frame = self._valuer = self._left = None
+        self._frame = self._full = self._valuer = self._left = None
         self._warned = self.fault = ""
         finishing().drop_scene(assembly)
         self.scene = LiveScene(assembly, self._live, session.view)
@@ -67,6 +78,10 @@ class LiveUpdate(QtCore.QObject):
         else:
             self._worker.ask(self._live.follow(moving))
 
+    def ask_share(self, share: float) -> None:
+        """Request a view of a share of the present motions, from 0 (rest) to 1."""
+        self._worker.ask(self._live.ask_share(share))
+
     def ask_reach(self, handle, number: int, criteria: dict) -> bool:
         """Request the possible range of a handle's number, unless the worker is busy.
 
@@ -79,12 +94,24 @@ class LiveUpdate(QtCore.QObject):
 
     def grab(self, ray):
         """Return the grabbing.Grabbed vertex that a ray meets first on the displayed parts."""
-        parts = self._live.parts
-        seen = {name: rest.points for name, rest in parts.items()}
-        if self._frame is not None:
-            seen = self._frame.positions
-        meshes = {name: (seen[name], rest.triangles) for name, rest in parts.items()}
-        return grabbing.grab(kernel.core(), meshes, ray)
+        return grabbing.grab(kernel.core(), self.meshes(), ray)
+
+    def meshes(self) -> dict:
+        """Return the meshes in the present pose, (points (n, 3) mm, triangles (m, 3)) by part."""
+        return self._meshes_in(self._full)
+
+    def displayed(self) -> dict:
+        """Return the displayed meshes in the same form, which may be on the way from rest."""
+        return self._meshes_in(self._frame)
+
+    def at_rest(self) -> dict:
+        """Return the meshes at rest in the same form."""
+        return self._meshes_in(None)
+
+    def _meshes_in(self, frame) -> dict:
+        parts = {} if self._live is None else self._live.parts
+        seen = {} if frame is None else frame.positions
+        return {n: (seen.get(n, rest.points), rest.triangles) for n, rest in parts.items()}
 
     def refresh(self) -> None:
         """Update the details of the scene, unless the worker will draw a new frame."""
@@ -119,11 +146,11 @@ class LiveUpdate(QtCore.QObject):
             finishing().finish(self._assembly).take(self.scene)
         else:
             self.scene.remove()
-        self._live = self._frame = self._valuer = self.legend = None
+        self._live = self._frame = self._full = self._valuer = self.legend = None
 
     def _is_left(self) -> bool:
         """Return whether the final shape of the present pose is being computed."""
-        if self._left is None or self._frame is None:
+        if self._left is None or self._frame is None or self.shown.share < 1.0:
             return False
         try:
             is_due = finishing().is_due(self._assembly)
@@ -138,9 +165,15 @@ class LiveUpdate(QtCore.QObject):
         if answer is None or isinstance(answer, live_session.Reached):
             self.reached.emit(answer)
             return
+        if isinstance(answer, Flips):
+            if answer.frame is self._frame:
+                self.scene.mark_flips(answer.triangles)
+            return
         is_new = answer[0] is not self._frame
         self._frame, values, self.legend, milliseconds = answer
         self.fault = ""
+        if is_new:
+            self.scene.mark_flips({})
         self.kernel_ms = milliseconds if is_new else self.kernel_ms
         start = time.perf_counter()
         self.scene.show(self._frame, values, self.legend)
@@ -149,6 +182,9 @@ class LiveUpdate(QtCore.QObject):
         self.drawn.emit()
         self._warn_of_learning()
         question = self._frame.question
+        if question.share < 1.0:
+            return
+        self._full = self._frame
         if question.is_exact and is_new:
             self._commit()
         elif is_new and self._worker.is_free and self._updating.is_due_now():
@@ -177,7 +213,13 @@ class LiveUpdate(QtCore.QObject):
     @property
     def is_preview(self) -> bool:
         """Whether the displayed frame is refined on release and may change visibly."""
-        return self._frame is not None and self._frame.is_preview
+        is_full = self._frame is not None and self.shown.share == 1.0
+        return is_full and self._frame.is_preview
+
+    @property
+    def shown(self) -> live_session.Question:
+        """The request that the displayed frame answers."""
+        return self._frame.question
 
     @property
     def unsettled(self) -> str:
@@ -205,6 +247,8 @@ class LiveUpdate(QtCore.QObject):
         """
         if isinstance(question, live_session.ReachQuestion):
             return self._live.reach(question, lambda: self._worker.is_free)
+        if isinstance(question, Flips):
+            return self._flips(question)
         start, valuer = time.perf_counter(), self._valuer
         is_shown = question is SHOWN
         frame = self._frame if is_shown else self._live.answer(question, self._goes_on)
@@ -233,6 +277,19 @@ class LiveUpdate(QtCore.QObject):
         fault = model.failure_of(self._assembly)
         if fault:
             self.failed.emit(fault)
+        warned = [w for w in model.warnings_of(self._assembly) if w.code == FLIPPED]
+        if warned and self._worker.is_free:
+            names = [name for warning in warned for name in warning.objects]
+            self._worker.ask(Flips(self._frame, dict.fromkeys(names, np.zeros(0, int))))
+
+    def _flips(self, asked: Flips) -> Flips:
+        """Find the triangles that flip in the parts of a question, in the worker thread."""
+        parts, seen, found = self._live.parts, asked.frame.positions, {}
+        for name in asked.triangles:
+            rest = parts[name]
+            change = kernel.core().compare_quality(rest.points, seen[name], rest.triangles)
+            found[name] = np.asarray(change.flipped_triangles)
+        return Flips(asked.frame, found)
 
     def _recompute_regions(self) -> None:
         """Evaluate expressions between handles, which is cheap without the parts."""

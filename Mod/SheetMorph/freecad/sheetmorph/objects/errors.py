@@ -10,6 +10,9 @@ UNHELD, OVERLAP, TORN = "unheld", "overlap", "torn"
 UNREACHED, OPEN_CONTACT = "unreached", "open contact"
 """Codes of the warnings that a panel shows separately."""
 
+FLIPPED = "flipped"
+"""Code of the warning about triangles that flip, which the view marks."""
+
 
 class Fault(str):
     """A sentence (where, what, what to do) with its objects and its kind.

@@ -13,14 +13,21 @@ from freecad.sheetmorph.scene.highlight import Highlight
 from freecad.sheetmorph.scene.looking import look_at
 
 
+MOST_PAINTED = 50_000  # vertices that are painted without a question
+
+
 class FaultBar(QtCore.QObject):
-    """The fault in a panel's label `message`; `mended` is sent after a repair."""
+    """The fault in a panel's label `message`; `mended` is sent after a repair.
+
+    With `paints`, the place of a new fault is red at once, unless it is too large to paint quickly.
+    """
 
     mended = QtCore.Signal()
 
-    def __init__(self, form, session, assembly):
+    def __init__(self, form, session, assembly, *, paints: bool = False):
         """Create the buttons next to the label."""
         super().__init__()
+        self._paints = paints
         self._label, self._assembly, self._session = form.message, assembly, session
         self._fault, self._cure, self._text = None, None, ""
         self._highlight = session.show(Highlight())
@@ -54,18 +61,24 @@ class FaultBar(QtCore.QObject):
         self._cure = mending.cure_of(self._assembly, fault)
         self._mend.setText(self._cure[0] if self._cure else "")
         self._mend.setVisible(self._cure is not None)
-        is_shown = bool(mending.places(self._assembly, fault))
+        places = mending.places(self._assembly, fault)
+        is_shown = bool(places)
+        if self._paints and sum(len(vertices) for _, vertices in places) <= MOST_PAINTED:
+            self._paint(places)
         self._show.setVisible(is_shown)
         self._row.setVisible(is_shown or self._cure is not None)
 
     def _show_it(self, *_) -> None:
         """Highlight the place of the fault, and move the camera to it."""
-        self._highlight.clear()
         places = mending.places(self._assembly, self._fault)
+        self._paint(places)
+        look_at(self._session.view, seen.positions(places))
+
+    def _paint(self, places) -> None:
+        self._highlight.clear()
         for part, vertices in places:
             shown = seen.triangles(part)
-            self._highlight.paint(part.ViewObject, shown, colours.FAULT, vertices.tolist())
-        look_at(self._session.view, seen.positions(places))
+            self._highlight.paint(part.ViewObject, shown, colours.FAULT, vertices)
 
     def _mend_it(self, *_) -> None:
         """Repair after the click, because the repair may change this panel."""

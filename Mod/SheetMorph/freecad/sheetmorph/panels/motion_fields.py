@@ -3,7 +3,8 @@
 
 from freecad.sheetmorph.panels.base import CHOSEN, say
 from freecad.sheetmorph.qt import connect, translate
-from freecad.sheetmorph.tools.motion import Motion
+from freecad.sheetmorph.tools.local_axes import GLOBAL, to_global, to_local
+from freecad.sheetmorph.tools.motion import UP, Motion
 
 DRIVEN = {
     "translation_x": "TranslationX",
@@ -42,20 +43,26 @@ class MotionFields:
         return not self._read().fault()
 
     def _read(self) -> Motion:
-        form = self._form
-        shift = tuple(getattr(form, f"translation_{c}").value() for c in "xyz")
-        axis = tuple(getattr(form, f"axis_{c}").value() for c in "xyz")
+        """Return the motion in the fields, whose vectors are along the axes of `moving`."""
+        form, axes = self._form, self._moving.axes
+        shift, axis = (to_global(axes, self._vector(kind)) for kind in ("translation", "axis"))
         pivot = tuple(getattr(form, f"pivot_{c}").value() for c in "xyz")
         return Motion(shift, axis, form.angle.value(), None if self._at_centroid else pivot)
+
+    def _vector(self, kind: str) -> tuple:
+        return tuple(getattr(self._form, f"{kind}_{c}").value() for c in "xyz")
 
     def _show(self, moving, _before=None) -> None:
         """Show the motion without setting it again."""
         self._is_writing = True
         motion, pivot = moving.motion, moving.pivot
         self._at_centroid = motion.pivot is None
+        shift, axis = (to_local(moving.axes, v) for v in (motion.translation, motion.axis))
+        if not motion.angle and moving.axes is not GLOBAL:
+            axis = UP  # the handle's normal, as no axis is in use
         for k, c in enumerate("xyz"):
-            getattr(self._form, f"translation_{c}").setValue(motion.translation[k])
-            getattr(self._form, f"axis_{c}").setValue(motion.axis[k])
+            getattr(self._form, f"translation_{c}").setValue(shift[k])
+            getattr(self._form, f"axis_{c}").setValue(axis[k])
             getattr(self._form, f"pivot_{c}").setValue(pivot[k])
         self._form.angle.setValue(motion.angle)
         self._form.centre.setEnabled(not self._at_centroid)
@@ -89,7 +96,7 @@ class MotionFields:
 
     def _show_direction(self) -> None:
         """Press the button of the axis in the fields, if it is x, y or z."""
-        axis = self._read().axis
+        axis = self._vector("axis")
         for k, c in enumerate("xyz"):
             is_along = axis[k] > 0.0 and not any(axis[:k] + axis[k + 1 :])
             getattr(self._form, f"along_{c}").setChecked(is_along)

@@ -19,7 +19,9 @@ class MouseFields:
             connect(field, "valueChanged(double)", self._choose_steps)
         connect(form.arrows, "toggled(bool)", self._show_arrows)
         connect(form.points, "toggled(bool)", drag.use_points)
-        connect(form.snap, "toggled(bool)", self._choose_steps)
+        form.snap_points.setChecked(preferences.get("SnapPoints"))
+        for box in (form.snap, form.snap_points):
+            connect(box, "toggled(bool)", self._choose_steps)
         connect(form.move_pivot, "toggled(bool)", self._move_pivot)
         self._snap()
         drag.show_arrows(form.arrows.isChecked())
@@ -32,13 +34,12 @@ class MouseFields:
 
     def _snap(self) -> None:
         values = [field.value() for field, *_ in self._steps()]
-        is_on = self._form.snap.isChecked()
-        for field, *_ in self._steps():
-            field.setEnabled(is_on)
-        self._drag.snap(values if is_on else None)
+        form = self._form
+        self._drag.snap(values, form.snap.isChecked(), form.snap_points.isChecked())
 
     def _choose_steps(self, *_) -> None:
         preferences.put("Snap", self._form.snap.isChecked())
+        preferences.put("SnapPoints", self._form.snap_points.isChecked())
         for field, _unit, entry in self._steps():
             preferences.put(entry, field.value())
         self._snap()

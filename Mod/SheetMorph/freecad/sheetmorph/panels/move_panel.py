@@ -11,7 +11,8 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import OPEN_CONTACT, UNREACHED
 from freecad.sheetmorph.objects.region import motion_of
 from freecad.sheetmorph.panels import keeping, progress, propagation_tree
-from freecad.sheetmorph.panels.base import Panel, legend, listed, say
+from freecad.sheetmorph.panels.axes_field import AxesField
+from freecad.sheetmorph.panels.base import Panel, listed, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.folding import Folds
 from freecad.sheetmorph.interaction.finishing import finishing
@@ -24,7 +25,6 @@ from freecad.sheetmorph.interaction.moved_handles import MovedHandles
 from freecad.sheetmorph.panels.show_fields import ShowFields
 from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, number, translate
 from freecad.sheetmorph.scene.handle_marks import HandleMarks
-from freecad.sheetmorph.scene.legend import ViewLegend
 from freecad.sheetmorph.tools.motion import Motion, Moving
 from freecad.sheetmorph.tools.updating import PAUSE, Updating
 
@@ -58,12 +58,10 @@ class MovePanel(Panel):
         self._updating = Updating(preferences.get("UpdateResults"))
         self._live = None
         self._fields = MotionFields(self.form, self._moving)
+        self._axes = AxesField(self.form, lambda: self._choose(self._handle))
         self._moving.observe(self._on_motion)  # before a LiveUpdate, which may read the document
-        view_legend = session.show(ViewLegend(session.view))
-        view_legend.show_roles(legend(""))
-        has_elements = bool(model.decks(assembly))
-        self._shown = ShowFields(self.form, view_legend, has_elements)
-        self._faults = FaultBar(self.form, session, assembly)
+        self._shown = ShowFields(self.form, session, bool(model.decks(assembly)))
+        self._faults = FaultBar(self.form, session, assembly, paints=True)
         self._faults.mended.connect(self._follow_later)
         form = self.form
         Folds({form.pivot: "OpenPivot", form.mouse: "OpenMouse", form.showing: "OpenShow"})
@@ -131,7 +129,7 @@ class MovePanel(Panel):
             return
         actions.note(actions.call("update_shapes", actions.name(owner)))
 
-    # -- following the motion; HandleDrag calls settle and grab
+    # -- following the motion; HandleDrag calls settle, grab and meshes
 
     @property
     def _handle(self):
@@ -157,7 +155,7 @@ class MovePanel(Panel):
 
     def grab(self, ray):
         """Choose or create the handle under the mouse; return the position of its vertex."""
-        if self._live is None:
+        if self._live is None or self._shown.leave_share():
             return None
         found = self._live.grab(ray)
         if found is None:
@@ -169,6 +167,10 @@ class MovePanel(Panel):
             return None
         self._choose(handle)
         return found.point
+
+    def meshes(self) -> dict:
+        """Return the meshes in the present pose, (points (n, 3) mm, triangles (m, 3)) by part."""
+        return {} if self._live is None else self._live.meshes()
 
     def _make_handle(self, found):
         """Create a handle of one vertex; without a solution show why and return None."""
@@ -249,7 +251,10 @@ class MovePanel(Panel):
         text = translate("SheetMorph_panels", "Computed in {0:.1f} ms, drawn in {1:.1f} ms")
         text = text.format(computed, drawn)
         is_steel = self._handles.assembly.Energy == "steel"
-        if self._live.is_preview and is_steel:
+        if self._live.shown.share < 1.0:
+            told = translate("SheetMorph_panels", "Shown at {0:.0f} % of the motion. {1}")
+            text = told.format(100.0 * self._live.shown.share, text)
+        elif self._live.is_preview and is_steel:
             told = translate(
                 "SheetMorph_panels", "Linear preview; the steel shape is computed on a pause. {0}"
             )
@@ -331,9 +336,10 @@ class MovePanel(Panel):
             combo.addItems(labels)
         combo.setCurrentIndex(handles.index(handle))
         combo.blockSignals(False)
-        self._moving.choose(handle.Name, motion_of(handle), handle.FreeRotation)
+        free, axes = handle.FreeRotation, self._axes.of(handle)
+        self._moving.choose(handle.Name, motion_of(handle), free, axes)
         self._fields.lock({path.lstrip("."): text for path, text in handle.ExpressionEngine})
-        self.form.rotation.setEnabled(not handle.FreeRotation)
+        self.form.rotation.setEnabled(not free)
         self._mark_others()
         self._tell_who_stays()
 

@@ -45,7 +45,7 @@ class PosePanel(Panel):
         self._live = None
         self._pause = QtCore.QTimer(self.form, singleShot=True, interval=round(1000 * PAUSE))
         connect(self._pause, "timeout()", lambda: session.when_free(self._settle))
-        self._faults = FaultBar(self.form, session, assembly)
+        self._faults = FaultBar(self.form, session, assembly, paints=True)
         self._faults.mended.connect(self._follow_later)
         self._prepare_widgets(pose)
         session.at_end(self._end_live)

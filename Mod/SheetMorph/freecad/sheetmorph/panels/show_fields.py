@@ -1,10 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The display options in the Move Handle panel."""
 
+import FreeCADGui as Gui
+
 from freecad.sheetmorph import preferences
+from freecad.sheetmorph.panels.base import legend
 from freecad.sheetmorph.panels.histogram import histogram_picture
+from freecad.sheetmorph.panels.measure_fields import MeasureFields
 from freecad.sheetmorph.panels.scale import gradient
+from freecad.sheetmorph.panels.share_fields import ShareFields
 from freecad.sheetmorph.qt import connect, translate
+from freecad.sheetmorph.scene.legend import ViewLegend
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 
@@ -19,6 +25,7 @@ ELEMENTS = (
     QT_TRANSLATE_NOOP("SheetMorph_panels", "Elements: shortest edge"),
 )
 """The measures in the order of element_quality.MEASURES."""
+SECTION = "Std_ToggleClipPlane"  # FreeCAD's own panel of section planes
 FIRST_OF_ELEMENTS = 5  # in the list of colours
 
 
@@ -33,12 +40,14 @@ def beyond(histogram) -> str:
 class ShowFields:
     """The link from the widgets to a LiveUpdate; the preferences store the choices."""
 
-    def __init__(self, form, view_legend, has_elements: bool = False):
-        """Connect the widgets; `view_legend` is the ViewLegend of the 3D view.
+    def __init__(self, form, session, has_elements: bool = False):
+        """Connect the widgets for the 3D view of an EditingSession.
 
         `has_elements` means that a part belongs to a deck, so that its elements can be measured.
         """
-        self._form, self._live, self._view_legend = form, None, view_legend
+        self._form, self._live = form, None
+        self._view_legend = session.show(ViewLegend(session.view))
+        self._view_legend.show_roles(legend(""))
         self._boxes = {
             "ShowOriginal": form.original,
             "ShowFeatures": form.feature_motions,
@@ -53,6 +62,9 @@ class ShowFields:
         if form.colours.currentIndex() < 0:  # the stored choice applies to decks only
             form.colours.setCurrentIndex(0)
         connect(form.colours, "currentIndexChanged(int)", self._colour)
+        self._share, self._measure = ShareFields(form), MeasureFields(form, session.view)
+        session.show(self._measure)
+        connect(form.section, "clicked()", lambda: Gui.runCommand(SECTION))
         form.scale.setPixmap(gradient())
         form.scale_text.setFixedHeight(2 * form.fontMetrics().lineSpacing())
         self.tell()
@@ -60,23 +72,29 @@ class ShowFields:
     def connect(self, live) -> None:
         """Apply the choices to a new LiveUpdate."""
         self._live = live
+        self._share.connect(live)
+        self._measure.connect(live)
         for entry, box in self._boxes.items():
             if box.isChecked():
                 self._use(entry, True)
         if self._form.colours.currentIndex():
             live.use_colours(self._form.colours.currentIndex())
 
+    def leave_share(self) -> bool:
+        """Show the full motion; return whether only a share of it was shown."""
+        return self._share.leave()
+
     def tell(self) -> None:
         """Show the legend of the last frame."""
-        legend = self._live and self._live.legend
+        values = self._live and self._live.legend
         chosen = self._form.colours.currentIndex()
         # The choice decides, not the frame: nothing may move while frames arrive.
         self._form.scale.setVisible(chosen > 0)
         self._form.scale_text.setVisible(chosen > 0)
         self._form.histogram.setVisible(chosen >= FIRST_OF_ELEMENTS)
-        histogram = legend and legend.histogram
-        if legend is not None:
-            low, high = legend.span
+        histogram = values and values.histogram
+        if values is not None:
+            low, high = values.span
             ends = f"{low:g}–{high:g} {self._live.unit}".strip()
             self._form.scale_text.setText(f"{ends}; {self._live.worst}{beyond(histogram)}")
             bars = None if histogram is None else histogram_picture(histogram)

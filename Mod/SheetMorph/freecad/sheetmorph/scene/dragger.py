@@ -3,12 +3,14 @@
 
 import math
 
+import numpy as np
 from pivy import coin
 
 from freecad.sheetmorph import generations
 from freecad.sheetmorph.scene.hanging import Hanging
 from freecad.sheetmorph.scene.relay import Relay, Watch
 from freecad.sheetmorph.scene.viewport import camera_node, mm_per_px
+from freecad.sheetmorph.tools.local_axes import GLOBAL, to_global, to_local
 
 SIZE = 8.0  # px: unit size of the dragger, whose arrows are ten times as long
 FINEST = (0.001, 0.01)  # mm and degrees: steps without snapping
@@ -30,7 +32,8 @@ class Dragger:
         self._listener = listener
         self._is_silent = False
         self._steps = FINEST
-        self._pivot = coin.SoTranslation()
+        self._axes = GLOBAL
+        self._pivot, self._turn = coin.SoTranslation(), coin.SoRotation()
         kinds = [coin.SoType.fromName(name) for name in generations.DRAGGERS]
         kind = next(found for found in kinds if not found.isBad())
         self._dragger = coin.cast(kind.createInstance(), "SoDragger")
@@ -40,6 +43,7 @@ class Dragger:
         first.style = coin.SoPickStyle.SHAPE_ON_TOP
         self._root.addChild(first)
         self._root.addChild(self._pivot)
+        self._root.addChild(self._turn)
         self._root.addChild(self._dragger)
         self._hanging = Hanging(view.getSceneGraph(), self._root)
         self._watch = Watch(coin.SoNodeSensor, camera_node(view), self.resize)
@@ -51,12 +55,20 @@ class Dragger:
         for kind, function in self._callbacks.items():
             view.addDraggerCallback(self._dragger, kind, function)
 
-    def place(self, pivot, motion) -> None:
-        """Show a motion (translation mm, axis, angle in degrees) about a pivot (3,) mm."""
+    def place(self, pivot, motion, axes: np.ndarray) -> None:
+        """Show a motion (translation mm, axis, angle in degrees) about a pivot (3,) mm.
+
+        The columns of `axes` (3, 3) are the directions of the arrows before the rotation.
+        """
         was_silent, self._is_silent = self._is_silent, True
+        self._axes = axes
         self._pivot.translation.setValue(*pivot)
-        rotation = coin.SbRotation(coin.SbVec3f(*motion.axis), math.radians(motion.angle))
-        self._field("translation").setValue(*motion.translation)
+        rows = np.eye(4)
+        rows[:3, :3] = axes.T  # Coin multiplies rows
+        self._turn.rotation.setValue(coin.SbRotation(coin.SbMatrix(*rows.ravel().tolist())))
+        direction = coin.SbVec3f(*to_local(axes, motion.axis))
+        rotation = coin.SbRotation(direction, math.radians(motion.angle))
+        self._field("translation").setValue(*to_local(axes, motion.translation))
         self._field("rotation").setValue(rotation)
         self._set_steps()
         self.resize()
@@ -99,8 +111,9 @@ class Dragger:
             return
         rotation = self._field("rotation").getValue()
         axis, angle = rotation.getAxisAngle()
-        translation = tuple(rounded(v) for v in self._field("translation").getValue().getValue())
-        direction = tuple(rounded(v) for v in axis.getValue())
+        shift = self._field("translation").getValue().getValue()
+        vectors = (tuple(map(rounded, vector)) for vector in (shift, axis.getValue()))
+        translation, direction = (to_global(self._axes, vector) for vector in vectors)
         self._listener.on_drag(translation, direction, rounded(math.degrees(angle)))
 
     def _released(self, _dragger) -> None:
@@ -112,7 +125,8 @@ class Dragger:
 
         FreeCAD's own method is not available in Python.
         """
-        place = self._pivot.translation.getValue() + self._field("translation").getValue()
+        shift = self._turn.rotation.getValue().multVec(self._field("translation").getValue())
+        place = self._pivot.translation.getValue() + shift
         try:
             scale = mm_per_px(self._view, place)
         except RuntimeError:  # the view is closed, which changed its camera

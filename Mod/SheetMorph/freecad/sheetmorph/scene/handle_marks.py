@@ -95,10 +95,10 @@ class HandleMarks(QtCore.QObject):
             camera = camera_of(self._view)
         except (RuntimeError, AttributeError):
             return  # the view is closed
-        pixels = projected(camera, self._places)
+        pixels = camera.pixels(self._places)
         taken = ()
         if self._taken is not None and len(self._places):
-            taken = ((projected(camera, [self._taken])[0, :2], ARROWS),)
+            taken = ((camera.pixels([self._taken])[0, :2], ARROWS),)
         self._shown = spread(pixels[:, :2], LEAST, taken)
         marks = [on_screen(camera, x, y, z) for (x, y), z in zip(self._shown, pixels[:, 2])]
         put(self._points, marks)
@@ -107,13 +107,6 @@ class HandleMarks(QtCore.QObject):
         self._leaders.numVertices.setNum(len(marks))
         for k in range(len(marks)):
             self._leaders.numVertices.set1Value(k, 2)
-
-
-def projected(camera, places) -> np.ndarray:
-    """Return px (x, y) from the lower left and the depth of places, each (n, 3)."""
-    points = np.asarray(places, float).reshape(-1, 3)
-    found = np.column_stack([points, np.ones(len(points))]) @ camera.to_pixels.T
-    return found[:, :3] / found[:, 3:]
 
 
 def on_screen(camera, x: float, y: float, depth: float) -> np.ndarray:

@@ -8,15 +8,15 @@ from freecad.sheetmorph.scene.hanging import Hanging
 
 
 class PlaceMarks:
-    """Marks in a 3D view until `remove`, below the node `root`."""
+    """Marks of a size (px) in a 3D view until `remove`, below the node `root`."""
 
-    def __init__(self, view, name: str, colour):
+    def __init__(self, view, name: str, colour, size: float = 6.0):
         self._coordinates = coin.SoCoordinate3()
         self._points = coin.SoPointSet()
         self._texts = coin.SoSeparator()
         self.root = coin.SoAnnotation()
         self.root.setName(name)
-        for node in (*_look(colour), self._coordinates, self._points, self._texts):
+        for node in (*_look(colour, size), self._coordinates, self._points, self._texts):
             self.root.addChild(node)
         self._hanging = Hanging(view.getSceneGraph(), self.root)
 
@@ -46,8 +46,8 @@ def _text():
     return group
 
 
-def _look(colour):
+def _look(colour, size):
     font = coin.SoFont()
     font.name = "Arial"
     font.size = 14.0
-    return *nodes.unlit(colour, 2.0, 6.0), font
+    return *nodes.unlit(colour, 2.0, size), font

@@ -59,8 +59,8 @@ class Listener:
     def on_escape(self) -> None:
         """Handle the Escape key."""
 
-    def on_enter(self) -> None:
-        """Handle the Enter key."""
+    def on_enter(self):
+        """Handle the Enter key; return False to leave it to others."""
 
 
 class Viewport(QtCore.QObject):
@@ -150,8 +150,7 @@ class Viewport(QtCore.QObject):
             self._listener.on_escape()
             return True
         if event.key() in (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter):
-            self._listener.on_enter()
-            return True
+            return self._listener.on_enter() is not False
         return False
 
     def _pointer(self, event) -> Pointer:

@@ -42,6 +42,23 @@ class TestLive(support.DocumentTest):
         again = self.live.deform()[self.part.Name]
         np.testing.assert_allclose(again, dragged, atol=1e-4)
 
+    def test_a_share_is_a_view_on_the_way_from_rest(self):
+        api.set_motion(self.handle, (0, 0, 30), (0, 1, 0), 20)
+        self.document.recompute()
+        stored, rest = support.local_points(self.part), self.live.parts[self.part.Name].points
+        frame = self.live.answer(self.live.ask_share(0.25))
+        self.assertLess(support.largest(frame.positions[self.part.Name] - rest), 12.0)
+        quarter = self.live.deform(
+            {self.handle.Name: Motion((0.0, 0.0, 7.5), (0.0, 1.0, 0.0), 5.0)}
+        )
+        shown = self.live.parts[self.part.Name].frame.to_local(frame.positions[self.part.Name])
+        np.testing.assert_allclose(shown, quarter[self.part.Name], atol=1e-3)
+        at_rest = self.live.answer(self.live.ask_share(0.0)).positions[self.part.Name]
+        np.testing.assert_allclose(at_rest, rest, atol=1e-3)
+        np.testing.assert_array_equal(support.local_points(self.part), stored)
+        self.assert_up_to_date(self.document)
+        self.assertEqual(self.live.ask().share, 1.0)
+
     def test_a_drag_and_its_commit_use_one_session(self):
         cache = solving.cache_of(self.assembly)
         before = cache.session(solving.read_morph(self.assembly))

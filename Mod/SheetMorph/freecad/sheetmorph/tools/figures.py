@@ -57,6 +57,16 @@ class Camera:
         found[1] = 0.5 * self.height * (found[1] + found[3])
         return found
 
+    def pixels(self, points) -> np.ndarray:
+        """Return px (x, y) from the lower left corner and the depth of points (n, 3) mm."""
+        places = np.asarray(points, float).reshape(-1, 3)
+        found = np.column_stack([places, np.ones(len(places))]) @ self.to_pixels.T
+        return found[:, :3] / found[:, 3:]
+
+    def away(self, points, place) -> np.ndarray:
+        """Return the distances (n,) px of points (n, 3) mm from a place (2,) px."""
+        return np.linalg.norm(self.pixels(points)[:, :2] - np.asarray(place, float), axis=1)
+
     def line(self, x: float, y: float) -> tuple[np.ndarray, np.ndarray]:
         """Return the ends (3,) mm of the line of sight through a pixel, within the view."""
         place = (2.0 * x / self.width - 1.0, 2.0 * y / self.height - 1.0)

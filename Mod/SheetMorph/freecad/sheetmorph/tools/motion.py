@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from freecad.sheetmorph.tools.local_axes import GLOBAL
 from freecad.sheetmorph.tools.words import plain
 
 Triple = tuple[float, float, float]
@@ -133,6 +134,7 @@ class Moving:
     def __init__(self, centroid: Callable[[str], Triple]):
         """Start without a handle; `centroid(name)` returns the centroid of one, (3,) mm."""
         self.name, self.motion, self._is_free = "", Motion(), False
+        self.axes = GLOBAL
         self._centroid = centroid
         self._observers: list[Callable] = []
 
@@ -148,9 +150,14 @@ class Moving:
         """Call no observer any more."""
         self._observers = []
 
-    def choose(self, name: str, motion: Motion, is_free: bool = False) -> None:
-        """Observe another handle; with `is_free` the sheet determines its rotation."""
-        self.name, self.motion, self._is_free = name, motion, is_free
+    def choose(
+        self, name: str, motion: Motion, is_free: bool = False, axes: np.ndarray = GLOBAL
+    ) -> None:
+        """Observe another handle; with `is_free` the sheet determines its rotation.
+
+        `axes` are the directions of its arrows before the rotation, as columns (3, 3).
+        """
+        self.name, self.motion, self._is_free, self.axes = name, motion, is_free, axes
         self._tell(None)
 
     def set(self, motion: Motion) -> None:

@@ -62,6 +62,22 @@ def between(first: Motion, second: Motion, weight: float) -> Motion:
     )
 
 
+def share_of(pose: Pose, share: float) -> Pose:
+    """Return the pose on the way from rest (0) to a pose (1); axes, pivots and sizes stay.
+
+    Entries of imported recipes without an object stay too.
+    """
+    return {name: _share(motion, share) for name, motion in pose.items()}
+
+
+def _share(motion: Motion, share: float) -> Motion:
+    if not isinstance(motion, Motion):
+        return motion
+    shift = motion.translation
+    part = None if shift is None else tuple((share * np.asarray(shift, float)).tolist())
+    return replace(motion, translation=part, angle=share * motion.angle)
+
+
 def _mixed(a, b, weight: float) -> np.ndarray:
     return (1.0 - weight) * np.asarray(a, float) + weight * np.asarray(b, float)
 
