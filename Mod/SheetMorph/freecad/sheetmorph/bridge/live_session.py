@@ -133,7 +133,7 @@ class LiveSession:
     def follow(self, moving: Moving) -> Question:
         """Return the request for the last pose read, with another motion of one handle."""
         name = self.names[moving.name]
-        self._pose = {**self._pose, name: moving.told}
+        self._pose = {**self._pose, name: moving.prescribed}
         return Question(self._pose, (name,))
 
     def posed(self, pose: Pose) -> Morph:
