@@ -36,6 +36,7 @@ __all__ = [
     "test_a_point_is_dragged_in_the_plane_of_the_view",
     "test_a_point_of_a_handle_drags_the_handle",
     "test_apply_is_an_undo_step_and_cancel_goes_back_to_it",
+    "test_a_point_that_was_only_clicked_is_gone_after_apply",
     "test_a_slow_frame_blocks_nothing_and_the_last_event_wins",
     "test_a_preview_that_is_refined_on_release_says_so",
     "test_a_value_is_typed_beside_the_cursor_while_dragging",
@@ -322,6 +323,20 @@ def test_apply_is_an_undo_step_and_cancel_goes_back_to_it():
     assert regions("handle")[0].TranslationZ.Value == 7.0
     App.ActiveDocument.undo()
     assert regions("handle")[0].TranslationZ.Value == 0.0
+
+
+def test_a_point_that_was_only_clicked_is_gone_after_apply():
+    yield from new_morph()
+    yield from open_panel()
+    yield from tick(child("points"))
+    x, y = on_screen((60.0, 0.0, 0.0))
+    yield from xdotool("mousemove", x, y - 3, "mousedown", 1, "mouseup", 1)
+    yield from until(lambda: len(regions("handle")) == 2, "the point")
+    yield from press("Apply")
+    assert child("handle").count() == 1 and len(regions("handle")) == 1
+    yield from enter(child("translation_z"), "5")
+    yield from press("OK")
+    assert regions("handle")[0].TranslationZ.Value == 5.0
 
 
 def test_a_slow_frame_blocks_nothing_and_the_last_event_wins():

@@ -106,9 +106,9 @@ def test_the_pivot_is_the_centroid_unless_the_motion_has_one():
     moving = Moving(lambda name: {"Tip": (1.0, 2.0, 3.0)}[name])
     moving.choose("Tip", Motion((0.0, 0.0, 5.0), angle=30.0), is_free=True)
     assert (moving.pivot, moving.place) == ((1.0, 2.0, 3.0), (1.0, 2.0, 8.0))
-    assert moving.told == Motion((0.0, 0.0, 5.0)), "the sheet turns a free handle"
+    assert moving.prescribed == Motion((0.0, 0.0, 5.0)), "the sheet turns a free handle"
     moving.choose("Other", Motion((0.0, 0.0, 5.0), angle=30.0, pivot=(4.0, 0.0, 0.0)))
-    assert moving.place == (4.0, 0.0, 5.0) and moving.told is moving.motion
+    assert moving.place == (4.0, 0.0, 5.0) and moving.prescribed is moving.motion
 
 
 def test_the_vertex_under_the_mouse_is_that_of_the_part_in_front():

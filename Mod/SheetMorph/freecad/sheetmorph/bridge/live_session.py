@@ -143,7 +143,7 @@ class LiveSession:
     def follow(self, moving: Moving) -> Question:
         """Return the request for the last pose read, with another motion of one handle."""
         name = self.names[moving.name]
-        self._pose = {**self._pose, name: moving.told}
+        self._pose = {**self._pose, name: moving.prescribed}
         return Question(self._pose, (name,))
 
     def ask_share(self, share: float) -> Question:
@@ -216,17 +216,6 @@ class LiveSession:
             found = self._session.rest_shape(sizes, False)
         return {name: found.positions[self.names[name]] for name in self.parts}
 
-    def deform(self, moved: Pose | None = None, exact: bool = False) -> dict[str, np.ndarray]:
-        """Return local positions (n, 3), mm, of every part, by document object name.
-
-        The pose is that of the document, except for regions in `moved`, by document object name.
-        Without `exact` the accuracy is 1e-6 of the size. Raises MorphError.
-        """
-        asked = self.ask(moved or (), exact)
-        changed = {self.names[name]: motion for name, motion in (moved or {}).items()}
-        frame = self.answer(Question({**asked.pose, **changed}, asked.moved, exact))
-        return {n: rest.frame.to_local(frame.positions[n]) for n, rest in self.parts.items()}
-
     def control_mesh(self, contact=None) -> ControlMesh | None:
         """Return the control mesh of a contact object in the last pose, global, or None.
 
@@ -256,12 +245,3 @@ def posed(asked: ReachQuestion, value: float) -> Pose:
         shift[asked.number] = value
         motion = replace(motion, translation=tuple(shift))
     return {**asked.pose, asked.handle: motion}
-
-
-def live(assembly) -> LiveSession:
-    """Return a session for dragging handles of `assembly`.
-
-    To commit, set the properties of the handles in a transaction and recompute. This solves
-    exactly, with the session built here.
-    """
-    return LiveSession(assembly)

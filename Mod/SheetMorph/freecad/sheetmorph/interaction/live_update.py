@@ -48,7 +48,7 @@ class LiveUpdate(QtCore.QObject):
         super().__init__()
         self._assembly = assembly
         self._updating = updating
-        self._live = live_session.live(assembly)
+        self._live = live_session.LiveSession(assembly)
         self._frame = self._full = self._valuer = self._left = None
         self._warned = self.fault = ""
         finishing().drop_scene(assembly)

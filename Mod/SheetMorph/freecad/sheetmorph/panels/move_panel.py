@@ -88,8 +88,9 @@ class MovePanel(Panel):
 
     def clicked(self, button) -> None:
         """Handle Apply: store the pose as OK does, but keep the panel open."""
-        if number(button) == number(QtWidgets.QDialogButtonBox.Apply):
-            self.keep()
+        if number(button) == number(QtWidgets.QDialogButtonBox.Apply) and self.keep():
+            if self._handle is None:  # a point that was clicked but not moved
+                self._follow()
 
     def keep(self) -> bool:
         """Store the pose in one undo step, with one macro line per handle."""

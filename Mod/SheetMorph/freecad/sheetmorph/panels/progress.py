@@ -15,5 +15,5 @@ def prepare(assembly) -> bool:
     """
     progress = Progress("Preparing the morph")
     with suppress(*actions.FAULTS), closing(progress), reporting.told_to(progress):
-        live_session.live(assembly)
+        live_session.LiveSession(assembly)
     return not progress.is_cancelled

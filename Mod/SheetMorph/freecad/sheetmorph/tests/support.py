@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import tempfile
 import unittest
+from dataclasses import replace
 
 import FreeCAD
 import numpy as np
@@ -74,6 +75,14 @@ def seen_points(feature) -> np.ndarray:
 def largest(difference: np.ndarray) -> float:
     """Return the largest absolute entry."""
     return float(np.abs(difference).max())
+
+
+def live_positions(live, moved=None, exact: bool = False) -> dict[str, np.ndarray]:
+    """Return the local positions (n, 3) of every part by name, in the pose with other motions."""
+    asked = live.ask(moved or (), exact)
+    changed = {live.names[name]: motion for name, motion in (moved or {}).items()}
+    frame = live.answer(replace(asked, pose={**asked.pose, **changed}))
+    return {n: rest.frame.to_local(frame.positions[n]) for n, rest in live.parts.items()}
 
 
 class DocumentTest(unittest.TestCase):

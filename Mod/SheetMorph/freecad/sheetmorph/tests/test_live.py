@@ -21,12 +21,12 @@ class TestLive(support.DocumentTest):
         source.Placement = support.placement((500, -40, 70), (1, 2, 3), 75)
         self.assembly, self.part, self.handle = self.add_morph(source)
         self.document.recompute()
-        self.live = live_session.live(self.assembly)
+        self.live = live_session.LiveSession(self.assembly)
 
     def test_positions_are_local_and_become_those_of_the_recompute(self):
         api.set_motion(self.handle, (1, 2, 30), (0, 1, 0), 20)
-        dragged = self.live.deform()[self.part.Name]
-        exact = self.live.deform(exact=True)[self.part.Name]
+        dragged = support.live_positions(self.live)[self.part.Name]
+        exact = support.live_positions(self.live, exact=True)[self.part.Name]
         self.document.recompute()
         shown = support.local_points(self.part)
         self.assertLess(support.largest(dragged - shown), 1e-3)
@@ -34,12 +34,12 @@ class TestLive(support.DocumentTest):
 
     def test_overrides_replace_the_pose_of_the_document(self):
         moved = {self.handle.Name: Motion((0.0, 0.0, 30.0))}
-        dragged = self.live.deform(moved)[self.part.Name]
+        dragged = support.live_positions(self.live, moved)[self.part.Name]
         self.assertEqual(self.handle.TranslationZ.Value, 0.0)
         self.assert_up_to_date(self.document)
         api.set_motion(self.handle, (0, 0, 30))
         # Live frames are within a millionth of the size of the exact shape, however they come.
-        again = self.live.deform()[self.part.Name]
+        again = support.live_positions(self.live)[self.part.Name]
         np.testing.assert_allclose(again, dragged, atol=1e-4)
 
     def test_a_share_is_a_view_on_the_way_from_rest(self):
@@ -63,7 +63,7 @@ class TestLive(support.DocumentTest):
         cache = solving.cache_of(self.assembly)
         before = cache.session(solving.read_morph(self.assembly))
         api.set_motion(self.handle, (0, 0, 30))
-        self.live.deform()
+        support.live_positions(self.live)
         self.document.recompute()
         self.assertIs(cache.session(solving.read_morph(self.assembly)), before)
 
@@ -89,7 +89,7 @@ class TestLive(support.DocumentTest):
     def test_a_frame_of_a_refined_morph_is_a_preview_until_it_is_exact(self):
         self.assertFalse(self._frame_lifted_by(10.0).is_preview)
         self.assembly.Refine = True
-        self.live = live_session.live(self.assembly)
+        self.live = live_session.LiveSession(self.assembly)
         self.assertTrue(self._frame_lifted_by(10.0).is_preview)
         exact = self.live.answer(self.live.ask([self.handle.Name], exact=True))
         self.assertFalse(exact.is_preview)
@@ -119,13 +119,13 @@ class TestLive(support.DocumentTest):
     def test_a_morph_without_regions_is_at_rest(self):
         assembly = api.create_assembly(self.document)
         part = api.add_part(assembly, self.add_source("Other"))
-        found = live_session.live(assembly).deform()[part.Name]
+        found = support.live_positions(live_session.LiveSession(assembly))[part.Name]
         self.assertEqual(support.largest(found - support.local_points(part.Source)), 0.0)
 
     def test_building_a_session_reports_progress_and_can_be_cancelled(self):
         api.add_fixed(self.assembly, self.part, [150])
         with self.assertRaises(solving.MorphError), reporting.told_to(lambda *_: False):
-            live_session.live(self.assembly)
+            live_session.LiveSession(self.assembly)
         seen: list[float] = []
 
         def follow(fraction: float, _task: str) -> bool:
@@ -133,16 +133,18 @@ class TestLive(support.DocumentTest):
             return True
 
         with reporting.told_to(follow):
-            live_session.live(self.assembly)
+            live_session.LiveSession(self.assembly)
         self.assertGreater(len(seen), 0)
         self.assertTrue(all(0.0 <= fraction <= 1.0 for fraction in seen))
 
     def test_errors_are_one_sentence(self):
         with self.assertRaises(solving.MorphError) as raised:
-            self.live.deform({self.handle.Name: Motion(axis=(0.0, 0.0, 0.0), angle=9.0)})
+            support.live_positions(
+                self.live, {self.handle.Name: Motion(axis=(0.0, 0.0, 0.0), angle=9.0)}
+            )
         self.assertNotIn("\n", str(raised.exception))
         with self.assertRaisesRegex(solving.MorphError, "not a complete morph"):
-            live_session.live(self.part.Source)
+            live_session.LiveSession(self.part.Source)
 
 
 class Widget:

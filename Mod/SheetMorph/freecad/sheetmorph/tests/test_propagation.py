@@ -177,8 +177,8 @@ class TestWhole(ChainTest):
         for contact in (self.first, self.last):
             self.assertLess(contact.GapChange.Value, 0.5)
         self.assertIsNone(api.control_mesh(self.assembly, self.first))
-        live = live_session.live(self.assembly)
-        shown = live.deform({self.handle.Name: {"translation": [0.0, 0.0, 40.0]}})
+        live = live_session.LiveSession(self.assembly)
+        shown = support.live_positions(live, {self.handle.Name: {"translation": [0.0, 0.0, 40.0]}})
         off = shown[self.second.Name] - self.positions(self.second)
         self.assertLess(support.largest(off), 1e-3)
 
@@ -222,16 +222,18 @@ class TestControlMesh(ChainTest):
         self.assertIsNone(api.control_mesh(self.assembly, self.first))
 
     def test_it_follows_a_drag(self):
-        live = live_session.live(self.assembly)
+        live = live_session.LiveSession(self.assembly)
         at_start = live.control_mesh(self.last)[0] - api.control_mesh(self.assembly, self.last)[0]
         self.assertLess(support.largest(at_start), 1e-3)
-        live.deform({self.handle.Name: {"translation": [0.0, 0.0, 80.0]}}, exact=True)
+        support.live_positions(
+            live, {self.handle.Name: {"translation": [0.0, 0.0, 80.0]}}, exact=True
+        )
         dragged = live.control_mesh(self.last)
         api.set_motion(self.handle, (0, 0, 80))
         expected = api.control_mesh(self.assembly, self.last)
         self.assertLess(support.largest(dragged[0] - expected[0]), 1e-6)
         api.set_active(self.last, False)
-        self.assertIsNone(live_session.live(self.assembly).control_mesh(self.last))
+        self.assertIsNone(live_session.LiveSession(self.assembly).control_mesh(self.last))
 
 
 class TestRebuild(ChainTest):

@@ -45,7 +45,7 @@ class TestSteel(DocumentTest):
             api.set_sheet(self.part, 1.0, 0.7)
 
     def test_live_frames_are_previews_and_an_exact_one_gives_way_to_a_drag(self):
-        live = live_session.live(self.assembly)
+        live = live_session.LiveSession(self.assembly)
         self.assertTrue(live.answer(live.ask()).is_preview)
         exact = live.answer(live.ask(exact=True))
         self.assertFalse(exact.is_preview)

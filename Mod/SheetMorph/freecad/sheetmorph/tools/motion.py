@@ -158,13 +158,13 @@ class Moving:
         `axes` are the directions of its arrows before the rotation, as columns (3, 3).
         """
         self.name, self.motion, self._is_free, self.axes = name, motion, is_free, axes
-        self._tell(None)
+        self._notify(None)
 
     def set(self, motion: Motion) -> None:
         """Move the handle; an equal motion changes nothing."""
         before, self.motion = self.motion, motion
         if motion != before:
-            self._tell(before)
+            self._notify(before)
 
     @property
     def pivot(self) -> Triple:
@@ -177,11 +177,11 @@ class Moving:
         return self.motion.place(self.pivot)
 
     @property
-    def told(self) -> Motion:
+    def prescribed(self) -> Motion:
         """The motion for the kernel."""
         return replace(self.motion, angle=0.0) if self._is_free else self.motion
 
-    def _tell(self, before: Motion | None) -> None:
+    def _notify(self, before: Motion | None) -> None:
         for observer in self._observers:
             observer(self, before)
 
