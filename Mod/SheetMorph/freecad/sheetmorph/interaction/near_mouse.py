@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The vertex or mid-point under the mouse, found without a pause of the window."""
+"""The vertex, mid-point or surface point under the mouse, found without a pause of the window."""
 
 from concurrent import futures
 
@@ -13,8 +13,9 @@ from freecad.sheetmorph.tools import places
 from freecad.sheetmorph.tools.part_mesh import meets_box
 from freecad.sheetmorph.tools.rims import Ray
 
-AROUND = 6.0  # px: rays this far from the mouse find the corner of a part that the mouse misses
-RAYS = np.array([(0, 0), *((x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y)])
+RINGS = (3.0, 8.0)  # px: rays this far from the mouse find a corner that the mouse itself misses
+EIGHT = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y]
+RAYS = np.array([(0.0, 0.0), *((ring * x, ring * y) for ring in RINGS for x, y in EIGHT)])
 
 
 class NearMouse(QtCore.QObject):
@@ -49,18 +50,23 @@ class NearMouse(QtCore.QObject):
         self._thread.submit(self._build, meshes)
 
     def at(self, camera, mouse):
-        """Return the vertex or mid-point nearest to the mouse (2,) px as a places.Place, or None.
+        """Return the places.Place at the mouse (2,) px, None without one.
 
-        At the corner of a part, the triangle under the mouse need not have the nearest vertex.
+        It is the nearest vertex or mid-point, else the point of the surface under the mouse. At the
+        corner of a part, the triangle under the mouse need not have the nearest vertex.
         """
+
+        def away(points):
+            return camera.away(points, mouse)
+
         found = []
-        for place in mouse + AROUND * RAYS:
+        for place in mouse + RAYS:
             near, far = camera.line(*place)
             part, hit = self._first_hit(Ray(near, far - near))
             if hit is not None:
-                found.append(places.place_near(part, self._meshes[part], hit, camera, mouse))
-        points = [place for place in found if place.kind != places.SURFACE]
-        return min(points, key=lambda one: camera.away(self.position(one), mouse)[0], default=None)
+                found.append(places.place_near(part, self._meshes[part], hit, away))
+        found.sort(key=lambda one: (one.kind == places.SURFACE, away(self.position(one))[0]))
+        return found[0] if found else None
 
     def position(self, place) -> np.ndarray:
         """Return the position (3,) of a place on the searched meshes."""
@@ -98,7 +104,7 @@ class NearMouse(QtCore.QObject):
         self._ready.emit()
 
     def _tell(self) -> None:
-        if self._meshes:
+        if self._built[0] is self._meshes and self._meshes:
             self._on_ready()
 
     def _first_hit(self, ray: Ray):

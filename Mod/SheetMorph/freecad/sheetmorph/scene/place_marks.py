@@ -13,6 +13,7 @@ class PlaceMarks:
     def __init__(self, view, name: str, colour, size: float = 6.0):
         self._coordinates = coin.SoCoordinate3()
         self._points = coin.SoPointSet()
+        self._points.numPoints = 0  # by default Coin draws a point at the origin
         self._texts = coin.SoSeparator()
         self.root = coin.SoAnnotation()
         self.root.setName(name)
