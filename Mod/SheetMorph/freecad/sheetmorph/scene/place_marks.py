@@ -17,7 +17,7 @@ class PlaceMarks:
         self._texts = coin.SoSeparator()
         self.root = coin.SoAnnotation()
         self.root.setName(name)
-        for node in (*_look(colour, size), self._coordinates, self._points, self._texts):
+        for node in (*look(colour, size), self._coordinates, self._points, self._texts):
             self.root.addChild(node)
         self._hanging = Hanging(view.getSceneGraph(), self.root)
 
@@ -47,7 +47,8 @@ def _text():
     return group
 
 
-def _look(colour, size):
+def look(colour, size: float) -> tuple:
+    """Return the nodes before points of a size (px) and texts of one colour."""
     font = coin.SoFont()
     font.name = "Arial"
     font.size = 14.0
