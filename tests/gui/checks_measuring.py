@@ -115,9 +115,10 @@ def show_section(field: str, offset: float):
 
 
 def close_sections() -> None:
-    """Closes them, which ends the cut."""
+    """Presses Close, which ends the cut."""
     for dock in sections():
-        dock.close()
+        (box,) = dock.findChildren(QtGui.QDialogButtonBox)
+        box.button(QtGui.QDialogButtonBox.Close).click()
 
 
 def test_the_section_planes_of_freecad_cut_the_moved_shape():
@@ -142,5 +143,5 @@ def test_the_section_planes_of_freecad_cut_the_moved_shape():
     assert Gui.Control.activeDialog() and len(clip_planes()) == 1
     yield from press("Cancel")
     close_sections()
-    yield from settled()
+    yield from until(lambda: not sections(), "the section planes to close")
     assert clip_planes() == [] and np.array_equal(stored(), rest)

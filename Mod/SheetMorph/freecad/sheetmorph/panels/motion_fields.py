@@ -45,6 +45,11 @@ class MotionFields(QtCore.QObject):
         pivot = tuple(getattr(form, f"pivot_{c}").value() for c in "xyz")
         return Motion(shift, axis, form.angle.value(), None if self._at_centroid else pivot)
 
+    @property
+    def is_global(self) -> bool:
+        """Whether the fields are about global axes."""
+        return self.axes is GLOBAL
+
     def _vector(self, kind: str) -> tuple:
         return tuple(getattr(self._form, f"{kind}_{c}").value() for c in "xyz")
 
@@ -54,7 +59,7 @@ class MotionFields(QtCore.QObject):
         self._at_centroid = motion.pivot is None
         shown = pivot if self._at_centroid else motion.pivot
         shift, axis = (to_local(self.axes, v) for v in (motion.translation, motion.axis))
-        if not motion.angle and self.axes is not GLOBAL:
+        if not motion.angle and not self.is_global:
             axis = UP  # the handle's normal, as no axis is in use
         for k, c in enumerate("xyz"):
             getattr(self._form, f"translation_{c}").setValue(shift[k])

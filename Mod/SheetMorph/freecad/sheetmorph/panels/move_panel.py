@@ -267,7 +267,8 @@ class MovePanel(Panel):
         if motion.fault() or self.session.is_ending:
             return
         if motion != motion_of(self._handle):
-            self._reach.follow(motion_of(self._handle), motion)
+            if self._fields.is_global:  # the range is that of a global number
+                self._reach.follow(motion_of(self._handle), motion)
             self._handles.move(self._handle, motion)
             self._fields.show_pivot(self.pivot())
             self._mark_others()
@@ -373,6 +374,7 @@ class MovePanel(Panel):
         self.form.rotation.setEnabled(not self._handle.FreeRotation)
 
     def _fill_anew(self) -> None:
+        self._reach.forget()
         self._fill()
         self._drag.place()
 
@@ -391,7 +393,6 @@ class MovePanel(Panel):
 
     def _on_choice(self, index: int) -> None:
         self._name = self._handles.all[index].Name
-        self._reach.forget()
         self._fill_anew()
         self._mark_others()
 
