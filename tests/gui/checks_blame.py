@@ -47,14 +47,13 @@ def test_triangles_that_flip_are_red_until_they_do_not():
     rest = stored()
     yield from open_panel()
     assert red_triangles() == 0
-    yield from enter(child("translation_x"), "-118")
-    yield from until(lambda: "onto a neighbour" in child("staying").text(), "the warning")
+    yield from enter(child("angle"), "175")
     yield from until(lambda: red_triangles() > 0, "the red triangles")
     picture("blame-triangles")
-    yield from enter(child("translation_x"), "-5")
+    yield from enter(child("angle"), "2")
     yield from settled()
     assert red_triangles() == 0
-    yield from enter(child("translation_x"), "-118")
+    yield from enter(child("angle"), "175")
     yield from until(lambda: red_triangles() > 0, "the red triangles again")
     yield from press("Cancel")
     assert red_triangles() == 0 and np.array_equal(stored(), rest)

@@ -12,8 +12,8 @@ from desk import child, click_point, click_widget, colour_at, enter, laid_out, p
 from desk import settled, tick, until, view, xdotool
 from freecad.sheetmorph.scene import distance_mark
 from pivy import coin
-from PySide import QtGui
-from scenes import new_morph, regions, stored
+from PySide import QtCore, QtGui
+from scenes import drawn, new_morph, regions, stored
 
 __all__ = [
     "test_a_distance_follows_the_motion_and_the_slider",
@@ -115,9 +115,10 @@ def show_section(field: str, offset: float):
 
 
 def close_sections() -> None:
-    """Closes them, which ends the cut."""
+    """Presses Close, which ends the cut."""
     for dock in sections():
-        dock.close()
+        (box,) = dock.findChildren(QtGui.QDialogButtonBox)
+        box.button(QtGui.QDialogButtonBox.Close).click()
 
 
 def test_the_section_planes_of_freecad_cut_the_moved_shape():
@@ -126,10 +127,14 @@ def test_the_section_planes_of_freecad_cut_the_moved_shape():
     yield from open_panel()
     yield from enter(child("translation_z"), "10")
     yield from settled()
-    place = (60.0, 5.0, 0.0)
+    near = int(np.linalg.norm(rest - (60.0, 10.0, 0.0), axis=1).argmin())
+    place = drawn()[near]
     whole = colour_at(place)
     yield from show_section("clipY", 30.0)
     picture("section")
+    (dock,) = sections()
+    left = [place.mapToGlobal(QtCore.QPoint(0, 0)).x() for place in (child("section"), dock)]
+    assert left[1] > left[0] + 400, "the panel keeps its room"
     assert len(clip_planes()) == 1
     cut = colour_at(place)
     assert max(abs(a - b) for a, b in zip(whole, cut)) > 12, (whole, cut)
@@ -138,5 +143,5 @@ def test_the_section_planes_of_freecad_cut_the_moved_shape():
     assert Gui.Control.activeDialog() and len(clip_planes()) == 1
     yield from press("Cancel")
     close_sections()
-    yield from settled()
+    yield from until(lambda: not sections(), "the section planes to close")
     assert clip_planes() == [] and np.array_equal(stored(), rest)

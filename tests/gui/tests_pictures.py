@@ -268,7 +268,6 @@ def test_tools_of_move_handle():
     yield from press("Cancel")
 
 
-
 def test_a_step_file_comes_back():
     path = os.path.join(WORK, "bracket.step")
     bracket().exportStep(path)

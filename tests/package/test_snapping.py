@@ -17,7 +17,12 @@ FROM_ABOVE = Camera(np.diag([1 / 200, 1 / 200, -1e-3, 1.0]), 400.0, 400.0)
 
 def place_at(x: float, y: float) -> places.Place:
     hit = _core.first_hit(SQUARE, HALVES, np.array([x, y, 9.0]), np.array([0.0, 0.0, -1.0]))
-    return places.place_near("plate", (SQUARE, HALVES), hit, FROM_ABOVE, (x + 200.0, y + 200.0))
+    mouse = (x + 200.0, y + 200.0)
+
+    def away(points):
+        return FROM_ABOVE.away(points, mouse)
+
+    return places.place_near("plate", (SQUARE, HALVES), hit, away)
 
 
 @pytest.mark.parametrize(
@@ -67,11 +72,7 @@ def test_a_distance_is_measured_at_rest_and_now():
     assert np.allclose((found.rest, found.now, found.change), (400.0, 600.0, 200.0))
 
 
-def test_the_first_part_on_the_line_of_sight_is_picked():
-    above = SQUARE + (0.0, 0.0, 50.0)
-    meshes = {"below": (SQUARE, HALVES), "above": (above, HALVES)}
-    place = places.picked(_core, meshes, FROM_ABOVE, (300.0, 300.0))
-    assert place.part == "above" and np.allclose(place.at(above), (100.0, 100.0, 50.0))
-    assert places.picked(_core, meshes, FROM_ABOVE, (100.0, 100.0)) is None
-    assert place.is_on(meshes) and not place.is_on({"below": meshes["below"]})
-    assert not place.is_on({"above": (above[:2], HALVES[:0])})
+def test_a_place_is_gone_with_its_part_or_vertices():
+    place = place_at(300, 100)
+    assert place.is_on({"plate": (SQUARE, HALVES)}) and not place.is_on({})
+    assert not place.is_on({"plate": (SQUARE[:2], HALVES[:0])})

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The distance between two points that the user clicks on the deformed parts."""
 
-from freecad.sheetmorph.bridge import kernel
+from freecad.sheetmorph.interaction.near_mouse import NearMouse
 from freecad.sheetmorph.scene.distance_mark import DistanceMark
 from freecad.sheetmorph.scene.viewport import Listener, Viewport
 from freecad.sheetmorph.tools import places
@@ -17,6 +17,7 @@ class Measuring(Listener):
         """Measure in a view; `words(distance)` returns the text at the line."""
         self._view, self._words, self._on_change = view, words, on_change
         self._viewport = self._mark = self._live = None
+        self._near, self._clicks = NearMouse(self._pick), []
         self._places = []
         self.distance = None
 
@@ -52,17 +53,24 @@ class Measuring(Listener):
         """Remove the mark and release the mouse; the view may be closed already."""
         if self.is_on:
             self._clear()
+        self._near.remove()
         self._live = self._on_change = None
 
     def on_click(self, pointer) -> None:
         """Pick the vertex or mid-point near the mouse, else the point of the surface under it."""
-        if self._live is None:
-            return
-        camera, shown = self._viewport.camera(), self._live.displayed()
-        place = places.picked(kernel.core(), shown, camera, pointer.place)
-        if place is not None:
-            self._places = [*self._places, place] if self.is_begun else [place]
-            self._follow()
+        if self._live is not None:
+            self._clicks.append((self._viewport.camera(), pointer.place))
+            self._near.look_at(self._live.displayed())
+
+    def _pick(self) -> None:
+        """Take the places of the clicks, as soon as the search is ready."""
+        clicks, self._clicks = self._clicks, []
+        for click in clicks:
+            place = self._near.at(*click)
+            if place is not None:
+                self._places = [*self._places, place] if self.is_begun else [place]
+        self._near.forget()
+        self._follow()
 
     def on_escape(self) -> None:
         """End the measurement."""
@@ -88,4 +96,4 @@ class Measuring(Listener):
         self._viewport.remove()
         self._mark.remove()
         self._viewport = self._mark = self.distance = None
-        self._places = []
+        self._places, self._clicks = [], []

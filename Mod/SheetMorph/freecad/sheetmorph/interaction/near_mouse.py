@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The vertex or mid-point under the mouse, found without a pause of the window."""
+"""The vertex, mid-point or surface point under the mouse, found without a pause of the window."""
 
 from concurrent import futures
 
@@ -10,11 +10,10 @@ from freecad.sheetmorph.garbage import collecting
 from freecad.sheetmorph.interaction.frame_worker import ENDING, give_way
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.tools import places
-from freecad.sheetmorph.tools.part_mesh import meets_box
-from freecad.sheetmorph.tools.rims import Ray
 
-AROUND = 6.0  # px: rays this far from the mouse find the corner of a part that the mouse misses
-RAYS = np.array([(0, 0), *((x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y)])
+RINGS = (3.0, 8.0)  # px: rays this far from the mouse find a corner that the mouse itself misses
+EIGHT = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y]
+RAYS = np.array([(0.0, 0.0), *((ring * x, ring * y) for ring in RINGS for x, y in EIGHT)])
 
 
 class NearMouse(QtCore.QObject):
@@ -49,18 +48,23 @@ class NearMouse(QtCore.QObject):
         self._thread.submit(self._build, meshes)
 
     def at(self, camera, mouse):
-        """Return the vertex or mid-point nearest to the mouse (2,) px as a places.Place, or None.
+        """Return the places.Place at the mouse (2,) px, None without one.
 
-        At the corner of a part, the triangle under the mouse need not have the nearest vertex.
+        It is the nearest vertex or mid-point, else the point of the surface under the mouse. At the
+        corner of a part, the triangle under the mouse need not have the nearest vertex.
         """
-        found = []
-        for place in mouse + AROUND * RAYS:
+
+        def away(points):
+            return camera.away(points, mouse)
+
+        found, trees = [], self._trees_near(camera, mouse)
+        for place in mouse + RAYS:
             near, far = camera.line(*place)
-            part, hit = self._first_hit(Ray(near, far - near))
+            part, hit = first_hit(trees, near, far - near)
             if hit is not None:
-                found.append(places.place_near(part, self._meshes[part], hit, camera, mouse))
-        points = [place for place in found if place.kind != places.SURFACE]
-        return min(points, key=lambda one: camera.away(self.position(one), mouse)[0], default=None)
+                found.append(places.place_near(part, self._meshes[part], hit, away))
+        found.sort(key=lambda one: (one.kind == places.SURFACE, away(self.position(one))[0]))
+        return found[0] if found else None
 
     def position(self, place) -> np.ndarray:
         """Return the position (3,) of a place on the searched meshes."""
@@ -98,16 +102,24 @@ class NearMouse(QtCore.QObject):
         self._ready.emit()
 
     def _tell(self) -> None:
-        if self._meshes:
+        if self._built[0] is self._meshes and self._meshes:
             self._on_ready()
 
-    def _first_hit(self, ray: Ray):
-        found, nearest = "", None
+    def _trees_near(self, camera, mouse) -> dict:
+        """Return the trees of the parts that may be seen within the rays."""
         meshes, trees = self._built
-        for name, (tree, low, high) in trees.items() if meshes is self._meshes else ():
-            if not meets_box(ray, low, high):
-                continue
-            hit = tree.nearest_hit(ray.origin, ray.direction)
-            if hit is not None and (nearest is None or hit.distance < nearest.distance):
-                found, nearest = name, hit
-        return found, nearest
+        if meshes is not self._meshes:
+            return {}
+        around = mouse + RAYS
+        boxes = {name: box for name, (_, *box) in trees.items()}
+        return {name: trees[name][0] for name in boxes if camera.may_show(*boxes[name], around)}
+
+
+def first_hit(trees: dict, origin, direction) -> tuple:
+    """Return the name of the tree that a ray meets first, and the kernel's hit, or ("", None)."""
+    found, nearest = "", None
+    for name, tree in trees.items():
+        hit = tree.nearest_hit(origin, direction)
+        if hit is not None and (nearest is None or hit.distance < nearest.distance):
+            found, nearest = name, hit
+    return found, nearest

@@ -9,7 +9,7 @@ from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.drag_watch import DragWatch
 from freecad.sheetmorph.scene.place_marks import PlaceMarks
 from freecad.sheetmorph.scene.viewport import camera_of
-from freecad.sheetmorph.tools import snapping
+from freecad.sheetmorph.tools import places, snapping
 
 MARK = "SheetMorphSnapMark"
 
@@ -84,7 +84,7 @@ class Snapping:
         place = None
         if self._pointer is not None and self.uses_points != self._pointer.shift:
             place = self._near.at(camera_of(self._view), self._pointer.place)
-        self.has_point = place is not None
+        self.has_point = place is not None and place.kind != places.SURFACE
         if not self.has_point:
             self._mark.show([])
             return None

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The choice of axes in the Move Handle panel: those of the document, or the handle's own."""
 
-import numpy as np
-
 from freecad.sheetmorph import preferences
 from freecad.sheetmorph.bridge.rest import read_rest
 from freecad.sheetmorph.objects import model
@@ -18,7 +16,7 @@ class AxesField:
         form.axes.setCurrentIndex(int(preferences.get("LocalAxes")))
         connect(form.axes, "currentIndexChanged(int)", self._choose)
 
-    def of(self, handle) -> np.ndarray:
+    def of(self, handle):
         """Return the axes for a handle as columns (3, 3); expressions are about global ones."""
         is_driven = bool(handle.ExpressionEngine)
         self._combo.setEnabled(not is_driven)

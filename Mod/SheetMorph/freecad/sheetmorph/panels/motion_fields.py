@@ -3,7 +3,7 @@
 
 from freecad.sheetmorph.panels.base import CHOSEN, say
 from freecad.sheetmorph.qt import connect, translate
-from freecad.sheetmorph.tools.local_axes import GLOBAL, to_global, to_local
+from freecad.sheetmorph.tools.local_axes import to_global, to_local
 from freecad.sheetmorph.tools.motion import UP, Motion
 
 DRIVEN = {
@@ -58,7 +58,7 @@ class MotionFields:
         motion, pivot = moving.motion, moving.pivot
         self._at_centroid = motion.pivot is None
         shift, axis = (to_local(moving.axes, v) for v in (motion.translation, motion.axis))
-        if not motion.angle and moving.axes is not GLOBAL:
+        if not motion.angle and not moving.is_global:
             axis = UP  # the handle's normal, as no axis is in use
         for k, c in enumerate("xyz"):
             getattr(self._form, f"translation_{c}").setValue(shift[k])

@@ -46,8 +46,11 @@ class ReachMarks(QtCore.QObject):
         self._show()
 
     def follow(self, moving, before: Motion | None) -> None:
-        """Handle a changed value, and remove the marks of another value, handle or pose."""
-        if before is None:
+        """Handle a changed value, and remove the marks of another value, handle or pose.
+
+        The range is that of a global number, so there is none along other axes.
+        """
+        if before is None or not moving.is_global:
             self.forget()
             return
         now = moving.motion

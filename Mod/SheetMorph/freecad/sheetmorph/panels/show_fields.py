@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The display options in the Move Handle panel."""
 
-import FreeCADGui as Gui
-
 from freecad.sheetmorph import preferences
 from freecad.sheetmorph.panels.base import legend
 from freecad.sheetmorph.panels.histogram import histogram_picture
 from freecad.sheetmorph.panels.measure_fields import MeasureFields
 from freecad.sheetmorph.panels.scale import gradient
+from freecad.sheetmorph.panels.section import open_section_planes
 from freecad.sheetmorph.panels.share_fields import ShareFields
 from freecad.sheetmorph.qt import connect, translate
 from freecad.sheetmorph.scene.legend import ViewLegend
@@ -25,7 +24,6 @@ ELEMENTS = (
     QT_TRANSLATE_NOOP("SheetMorph_panels", "Elements: shortest edge"),
 )
 """The measures in the order of element_quality.MEASURES."""
-SECTION = "Std_ToggleClipPlane"  # FreeCAD's own panel of section planes
 FIRST_OF_ELEMENTS = 5  # in the list of colours
 
 
@@ -64,7 +62,7 @@ class ShowFields:
         connect(form.colours, "currentIndexChanged(int)", self._colour)
         self._share, self._measure = ShareFields(form), MeasureFields(form, session.view)
         session.show(self._measure)
-        connect(form.section, "clicked()", lambda: Gui.runCommand(SECTION))
+        connect(form.section, "clicked()", open_section_planes)
         form.scale.setPixmap(gradient())
         form.scale_text.setFixedHeight(2 * form.fontMetrics().lineSpacing())
         self.tell()

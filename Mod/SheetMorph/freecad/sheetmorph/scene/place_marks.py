@@ -13,10 +13,11 @@ class PlaceMarks:
     def __init__(self, view, name: str, colour, size: float = 6.0):
         self._coordinates = coin.SoCoordinate3()
         self._points = coin.SoPointSet()
+        self._points.numPoints = 0  # by default Coin draws a point at the origin
         self._texts = coin.SoSeparator()
         self.root = coin.SoAnnotation()
         self.root.setName(name)
-        for node in (*_look(colour, size), self._coordinates, self._points, self._texts):
+        for node in (*look(colour, size), self._coordinates, self._points, self._texts):
             self.root.addChild(node)
         self._hanging = Hanging(view.getSceneGraph(), self.root)
 
@@ -46,7 +47,8 @@ def _text():
     return group
 
 
-def _look(colour, size):
+def look(colour, size: float) -> tuple:
+    """Return the nodes before points of a size (px) and texts of one colour."""
     font = coin.SoFont()
     font.name = "Arial"
     font.size = 14.0

@@ -10,6 +10,8 @@ import numpy as np
 from freecad.sheetmorph import api, reporting
 from freecad.sheetmorph.bridge import live_session, solving
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.errors import FLIPPED
 from freecad.sheetmorph.tests import support
 from freecad.sheetmorph.tools.motion import Motion, Moving
 
@@ -58,6 +60,15 @@ class TestLive(support.DocumentTest):
         np.testing.assert_array_equal(support.local_points(self.part), stored)
         self.assert_up_to_date(self.document)
         self.assertEqual(self.live.ask().share, 1.0)
+
+    def test_triangles_that_flip_are_a_warning_about_their_part(self):
+        api.set_motion(self.handle, (0, 0, 0), (0, 0, 1), 175)
+        self.document.recompute()
+        warned = [w for w in model.warnings_of(self.assembly) if w.code == FLIPPED]
+        self.assertEqual([w.objects for w in warned], [(self.part.Name,)])
+        api.set_motion(self.handle, (0, 0, 1), (0, 0, 1), 0)
+        self.document.recompute()
+        self.assertNotIn(FLIPPED, [w.code for w in model.warnings_of(self.assembly)])
 
     def test_a_drag_and_its_commit_use_one_session(self):
         cache = solving.cache_of(self.assembly)

@@ -23,19 +23,11 @@ def grab(core, meshes: dict, ray) -> Grabbed | None:
     `core` is `sheetmorph._core`. `meshes` maps part names to displayed points (n, 3) and triangles
     (m, 3). `ray` is a `part_mesh.Ray`.
     """
-    name, hit = first_hit(core, meshes, ray)
-    if hit is None:
-        return None
-    points, triangles = meshes[name]
-    vertex = int(triangles[hit.triangle][int(np.argmax(hit.barycentric))])
-    return Grabbed(name, vertex, np.array(points[vertex], float))
-
-
-def first_hit(core, meshes: dict, ray) -> tuple:
-    """Return the name of the mesh that a ray meets first, and the kernel's hit, or ("", None)."""
-    found, nearest = "", None
+    nearest, reach = None, np.inf
     for name, (points, triangles) in meshes.items():
         hit = core.first_hit(points, triangles, ray.origin, ray.direction)
-        if hit is not None and (nearest is None or hit.distance < nearest.distance):
-            found, nearest = name, hit
-    return found, nearest
+        if hit is not None and hit.distance < reach:
+            reach = hit.distance
+            vertex = int(triangles[hit.triangle][int(np.argmax(hit.barycentric))])
+            nearest = Grabbed(name, vertex, np.array(points[vertex], float))
+    return nearest

@@ -167,6 +167,11 @@ class Moving:
             self._notify(before)
 
     @property
+    def is_global(self) -> bool:
+        """Whether the fields and arrows are along the axes of the document."""
+        return self.axes is GLOBAL
+
+    @property
     def pivot(self) -> Triple:
         """The pivot at rest, (3,) mm."""
         return self.motion.pivot or self._centroid(self.name)

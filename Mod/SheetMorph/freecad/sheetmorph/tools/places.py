@@ -3,14 +3,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
-from freecad.sheetmorph.tools.figures import Camera
-from freecad.sheetmorph.tools.grabbing import first_hit
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
-from freecad.sheetmorph.tools.rims import Ray
 
 VERTEX = QT_TRANSLATE_NOOP("SheetMorph_panels", "Vertex")
 MIDPOINT = QT_TRANSLATE_NOOP("SheetMorph_panels", "Mid-point")
@@ -40,28 +38,19 @@ class Place:
         return self.part in meshes and self.vertices.max() < len(meshes[self.part][0])
 
 
-def place_near(part: str, mesh: tuple, hit, camera: Camera, mouse) -> Place:
+def place_near(part: str, mesh: tuple, hit, away: Callable) -> Place:
     """Return the vertex or mid-point of the triangle that a ray has hit, else the hit itself.
 
-    `mesh` has points (n, 3) and triangles (m, 3); `mouse` (2,) px has a reach of REACH.
+    `mesh` has points (n, 3) and triangles (m, 3). `away(points)` returns the distances of points
+    (k, 3) from the mouse, px; the mouse has a reach of REACH.
     """
     points, triangles = mesh
     vertices = np.asarray(triangles[hit.triangle])
-    away = camera.away(_CANDIDATES @ points[vertices], mouse)
-    nearest = int(away.argmin())
-    if away[nearest] > REACH:
+    gaps = away(_CANDIDATES @ points[vertices])
+    nearest = int(gaps.argmin())
+    if gaps[nearest] > REACH:
         return Place(part, vertices, np.asarray(hit.barycentric), SURFACE)
     return Place(part, vertices, _CANDIDATES[nearest], VERTEX if nearest < 3 else MIDPOINT)
-
-
-def picked(core, meshes: dict, camera: Camera, mouse) -> Place | None:
-    """Return the place under the mouse (2,) px on displayed meshes, None without one.
-
-    `core` is `sheetmorph._core`. `meshes` maps part names to points (n, 3) and triangles (m, 3).
-    """
-    near, far = camera.line(*mouse)
-    part, hit = first_hit(core, meshes, Ray(near, far - near))
-    return None if hit is None else place_near(part, meshes[part], hit, camera, mouse)
 
 
 @dataclass(frozen=True)
