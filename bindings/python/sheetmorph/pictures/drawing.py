@@ -14,16 +14,17 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+import time
+from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 from types import SimpleNamespace
 
 from ..files.atomic import FileSet
 from .scene import Scene
 
-_SECONDS_TO_START = 20.0
 _SECONDS_FOR_ONE = 120.0
+_BLOCK = 1 << 16
 
 
 class PictureError(RuntimeError):
@@ -40,14 +41,90 @@ def draw(pictures: Sequence[tuple[Scene, Path]], files: FileSet | None = None) -
             draw(pictures, own)
             own.commit()
         return
-    require_tools()
-    temporaries = [(scene, files.temporary_for(path)) for scene, path in pictures]
-    with tempfile.TemporaryDirectory(prefix="sheetmorph-picture-") as folder, _screen() as screen:
-        wanted = Path(folder) / "scenes"
-        wanted.write_bytes(
-            pickle.dumps([(_plain(scene), str(path)) for scene, path in temporaries])
+    temporaries = [files.temporary_for(path) for _, path in pictures]
+    for temporary, image in zip(temporaries, drawn([scene for scene, _ in pictures])):
+        temporary.write_bytes(image)
+
+
+def drawn(scenes: Sequence[Scene]) -> list[bytes]:
+    """Return every scene as a PNG image. Raises PictureError."""
+    with Painter() as painter:
+        return [painter.draw(scene) for scene in scenes]
+
+
+class Painter:
+    """A process that draws one scene after the other, for a ``with`` block.
+
+    It also ends when this process ends, however that happens. Raises PictureError.
+    """
+
+    def __init__(self) -> None:
+        if missing := missing_tools():
+            raise PictureError(f"no picture can be drawn; install {' and '.join(missing)}")
+        self._said = tempfile.TemporaryFile()
+        self._process = subprocess.Popen(
+            [_interpreter(), str(Path(__file__).with_name("painter.py"))],
+            env={**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1"},
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=self._said,
         )
-        _draw_on(screen, wanted, len(pictures))
+
+    def __enter__(self) -> Painter:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+    def draw(self, scene: Scene) -> bytes:
+        """Return a scene as a PNG image. Raises PictureError; the painter is then of no more use."""
+        content = pickle.dumps(_plain(scene))
+        deadline = time.monotonic() + _SECONDS_FOR_ONE
+        assert self._process.stdin is not None
+        with suppress(BrokenPipeError):
+            self._process.stdin.write(len(content).to_bytes(8, "little") + content)
+            self._process.stdin.flush()
+        return self._read(int.from_bytes(self._read(8, deadline), "little"), deadline)
+
+    def close(self) -> None:
+        """End the process."""
+        assert self._process.stdin is not None and self._process.stdout is not None
+        with suppress(BrokenPipeError):
+            self._process.stdin.close()
+        self._process.stdout.close()
+        self._process.wait()
+        self._said.close()
+
+    def _read(self, count: int, deadline: float) -> bytes:
+        assert self._process.stdout is not None
+        found = bytearray()
+        while len(found) < count:
+            left = max(0.0, deadline - time.monotonic())
+            if not select.select([self._process.stdout], [], [], left)[0]:
+                self._process.kill()
+                raise PictureError("the picture took too long; try a coarser mesh")
+            more = os.read(self._process.stdout.fileno(), min(_BLOCK, count - len(found)))
+            if not more:
+                raise PictureError(f"VTK could not draw the picture ({self._reason()}); {_CHECK}")
+            found += more
+        return bytes(found)
+
+    def _reason(self) -> str:
+        """Return the last words of a process that ended."""
+        status = self._process.wait()
+        self._said.seek(0)
+        lines = self._said.read().decode(errors="replace").strip().splitlines()
+        return lines[-1] if lines else f"status {status}"
+
+
+def _interpreter() -> str:
+    """Return the path of Python; in FreeCAD sys.executable may be FreeCAD."""
+    if "python" in Path(sys.executable).name:
+        return sys.executable
+    return os.path.join(sys.base_prefix, "bin", "python{}.{}".format(*sys.version_info))
+
+
+_CHECK = "check that python3-vtk9 works"
 
 
 def _plain(scene: Scene) -> SimpleNamespace:
@@ -57,67 +134,11 @@ def _plain(scene: Scene) -> SimpleNamespace:
     return SimpleNamespace(**{**vars(scene), "sheets": sheets, "arrows": arrows})
 
 
-def require_tools() -> None:
-    """Check that the drawing tools are installed. Raises PictureError."""
+def missing_tools() -> list[str]:
+    """Return the Debian packages without which nothing can be drawn here."""
     missing = []
     if importlib.util.find_spec("vtkmodules") is None:
         missing.append("python3-vtk9")
     if shutil.which("Xvfb") is None:
         missing.append("xvfb")
-    if missing:
-        raise PictureError(f"no picture can be drawn; install {' and '.join(missing)}")
-
-
-def _draw_on(screen: str, wanted: Path, count: int) -> None:
-    environment = {**os.environ, "DISPLAY": screen, "LIBGL_ALWAYS_SOFTWARE": "1"}
-    try:
-        done = subprocess.run(
-            [sys.executable, str(Path(__file__).with_name("painter.py")), str(wanted)],
-            env=environment,
-            capture_output=True,
-            timeout=_SECONDS_FOR_ONE * max(1, count),
-            check=False,
-        )
-    except subprocess.TimeoutExpired:
-        raise PictureError("the picture took too long; try a coarser mesh") from None
-    if done.returncode:
-        lines = done.stderr.decode(errors="replace").strip().splitlines()
-        said = lines[-1] if lines else f"status {done.returncode}"
-        raise PictureError(
-            f"VTK could not draw the picture ({said}); check that python3-vtk9 works"
-        )
-
-
-@contextmanager
-def _screen() -> Iterator[str]:
-    """Provide the name of a new virtual screen, such as ":7", for the duration of the block."""
-    reading, writing = os.pipe()
-    command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1600x1200x24", "-noreset"]
-    try:
-        server = subprocess.Popen(
-            [*command, "-nolisten", "tcp"],
-            pass_fds=[writing],
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-        )
-    finally:
-        os.close(writing)
-    try:
-        yield f":{_number_from(reading)}"
-    finally:
-        os.close(reading)
-        server.terminate()
-        server.wait()
-
-
-def _number_from(reading: int) -> int:
-    """Return the screen number that the server writes when it is ready."""
-    told = b""
-    while not told.endswith(b"\n"):
-        ready, _, _ = select.select([reading], [], [], _SECONDS_TO_START)
-        more = os.read(reading, 64) if ready else b""
-        if not more:
-            raise PictureError("no virtual screen starts; check that Xvfb works")
-        told += more
-    return int(told)
+    return missing
