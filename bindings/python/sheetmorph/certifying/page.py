@@ -18,7 +18,7 @@ _SIZE = (900, 660)
 # From shrinking over unchanged to growing.
 _SIGNED = ((0.13, 0.35, 0.67), SHEET, (0.70, 0.09, 0.17))
 # Edges of more elements than these would hide their colours.
-_MOST_EDGES = 20000
+_MOST_EDGES = 5000
 _MOST_JOINTS = 40
 _MOST_HISTOGRAMS = 60
 
@@ -112,6 +112,6 @@ def _view(points: Floats) -> tuple[float, float, float]:
     """Return a direction from which points (n, 3) look large: mostly along their thinnest axis."""
     some = points[:: max(1, len(points) // 20000)]
     _, axes = np.linalg.eigh(np.cov(some - some.mean(axis=0), rowvar=False))
-    thin, middle, _ = (axis * np.sign(axis @ (0.55, -1.0, 0.75)) for axis in axes.T)
-    x, y, z = (thin + 0.5 * middle).tolist()
+    thin, middle, long = (axis * np.sign(axis @ (0.55, -1.0, 0.75)) for axis in axes.T)
+    x, y, z = (thin + 0.6 * middle + 0.3 * long).tolist()
     return x, y, z

@@ -55,14 +55,14 @@ def drawn(scenes: Sequence[Scene]) -> list[bytes]:
 class Painter:
     """A process that draws one scene after the other, for a ``with`` block.
 
-    It also ends when this process ends, however that happens. Raises PictureError.
+    The process also ends with this one, however that happens. Raises PictureError.
     """
 
     def __init__(self) -> None:
         if missing := missing_tools():
             raise PictureError(f"no picture can be drawn; install {' and '.join(missing)}")
         self._said = tempfile.TemporaryFile()
-        self._process = subprocess.Popen(
+        self.process = subprocess.Popen(
             [_interpreter(), str(Path(__file__).with_name("painter.py"))],
             env={**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1"},
             stdin=subprocess.PIPE,
@@ -80,30 +80,30 @@ class Painter:
         """Return a scene as a PNG image. Raises PictureError; the painter is then of no more use."""
         content = pickle.dumps(_plain(scene))
         deadline = time.monotonic() + _SECONDS_FOR_ONE
-        assert self._process.stdin is not None
+        assert self.process.stdin is not None
         with suppress(BrokenPipeError):
-            self._process.stdin.write(len(content).to_bytes(8, "little") + content)
-            self._process.stdin.flush()
+            self.process.stdin.write(len(content).to_bytes(8, "little") + content)
+            self.process.stdin.flush()
         return self._read(int.from_bytes(self._read(8, deadline), "little"), deadline)
 
     def close(self) -> None:
         """End the process."""
-        assert self._process.stdin is not None and self._process.stdout is not None
+        assert self.process.stdin is not None and self.process.stdout is not None
         with suppress(BrokenPipeError):
-            self._process.stdin.close()
-        self._process.stdout.close()
-        self._process.wait()
+            self.process.stdin.close()
+        self.process.stdout.close()
+        self.process.wait()
         self._said.close()
 
     def _read(self, count: int, deadline: float) -> bytes:
-        assert self._process.stdout is not None
+        assert self.process.stdout is not None
         found = bytearray()
         while len(found) < count:
             left = max(0.0, deadline - time.monotonic())
-            if not select.select([self._process.stdout], [], [], left)[0]:
-                self._process.kill()
+            if not select.select([self.process.stdout], [], [], left)[0]:
+                self.process.kill()
                 raise PictureError("the picture took too long; try a coarser mesh")
-            more = os.read(self._process.stdout.fileno(), min(_BLOCK, count - len(found)))
+            more = os.read(self.process.stdout.fileno(), min(_BLOCK, count - len(found)))
             if not more:
                 raise PictureError(f"VTK could not draw the picture ({self._reason()}); {_CHECK}")
             found += more
@@ -111,7 +111,7 @@ class Painter:
 
     def _reason(self) -> str:
         """Return the last words of a process that ended."""
-        status = self._process.wait()
+        status = self.process.wait()
         self._said.seek(0)
         lines = self._said.read().decode(errors="replace").strip().splitlines()
         return lines[-1] if lines else f"status {status}"

@@ -49,6 +49,7 @@ _TEXT: Colour = (0.13, 0.17, 0.22)
 _EDGE: Colour = (0.45, 0.49, 0.54)
 _CREASE = 30.0  # degrees; sharper edges are not smoothed
 _MARGIN = 1.12
+_BAND = 56  # pixels for texts, above and below the parts
 _SHADES = 256
 _SECONDS_TO_START = 20.0
 
@@ -268,7 +269,9 @@ def _fit(renderer: Any, scene: Scene) -> None:
         put(*(np.asarray(get()) + shift))
     width, height = scene.size
     half = 0.5 * (high - low)
-    camera.SetParallelScale(_MARGIN * max(half[1], half[0] * height / width, 1e-9))
+    has_texts = bool(scene.title or scene.legend or scene.values)
+    free = height - 2 * _BAND if has_texts else height
+    camera.SetParallelScale(_MARGIN * height * max(half[1] / free, half[0] / width, 1e-9))
 
 
 def _write_texts(renderer: Any, scene: Scene, table: Any) -> None:
