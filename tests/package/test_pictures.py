@@ -84,7 +84,7 @@ def test_no_picture_appears_where_none_can_be_drawn(tmp_path: Path, monkeypatch)
 def test_a_driver_that_gives_up_is_one_sentence(tmp_path: Path, monkeypatch):
     (tmp_path / "bin").mkdir()
     screen = tmp_path / "bin" / "Xvfb"
-    screen.write_text("#!/bin/sh\neval \"echo 987 >&$2\"\n")  # the number of no screen
+    screen.write_text('#!/bin/sh\neval "echo 987 >&$2"\n')  # the number of no screen
     screen.chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path / "bin"))
     # Since VTK 9.4 others take over where there is no screen, if they may.
@@ -130,7 +130,9 @@ def test_a_dead_painter_leaves_no_screen_behind():
 
 def children_of(process: int) -> list[int]:
     """The process ids of the children of a process."""
-    return [int(pid) for pid in Path(f"/proc/{process}/task/{process}/children").read_text().split()]
+    return [
+        int(pid) for pid in Path(f"/proc/{process}/task/{process}/children").read_text().split()
+    ]
 
 
 def is_alive(process: int) -> bool:

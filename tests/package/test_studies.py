@@ -347,7 +347,10 @@ def test_a_changed_part_is_computed_again_and_a_moved_variant_is_not(tmp_path: P
 
 
 def test_processes_make_the_same_files(tmp_path: Path):
-    keys = {"measure": {"far": {"distance": ["wall", "tip"]}}, "write": ["parts", "certificate", "pictures"]}
+    keys = {
+        "measure": {"far": {"distance": ["wall", "tip"]}},
+        "write": ["parts", "certificate", "pictures"],
+    }
     one = contents(study(tmp_path, **keys))
     shutil.rmtree(tmp_path / "out")
     two = contents(study(tmp_path, "--engine", "processes", "--workers", "2", **keys))

@@ -6,10 +6,12 @@ from __future__ import annotations
 import base64
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from jinja2 import Environment
+
+_MOST = 8
 
 
 def page(template: str, **content: object) -> str:
@@ -37,11 +39,11 @@ def _environment() -> Environment:
     return made
 
 
-def _number(value: object, factor: float = 1.0) -> Any:
-    """Return a value for a table; a number is multiplied by the factor and rounded."""
-    if value is None:
-        return "–"
-    return f"{factor * value:.4g}" if isinstance(value, float) else value
+def _number(value: object) -> object:
+    """Return a value as a table shows it: a dash for None, the first of many, a rounded number."""
+    if isinstance(value, list):
+        return ", ".join(map(str, value[:_MOST])) + (", …" if len(value) > _MOST else "")
+    return "–" if value is None else f"{value:.4g}" if isinstance(value, float) else value
 
 
 def _png(image: bytes) -> str:

@@ -20,25 +20,20 @@ _SIGNED = ((0.13, 0.35, 0.67), SHEET, (0.70, 0.09, 0.17))
 # Edges of more elements than these would hide their colours.
 _MOST_EDGES = 5000
 _MOST_JOINTS = 40
-_MOST_HISTOGRAMS = 60
 
 
 def page_of(certificate: dict[str, Any], written: dict[str, Written]) -> str:
     """Return the page as HTML."""
     pictures, no_pictures = _pictures(list(written.values()))
-    histograms = [
-        (part["name"], quality)
-        for part in certificate["parts"]
-        for quality in part["quality"]
-        if quality["histogram"] and ("min" in quality or "max" in quality)
-    ]
+    features, parts = certificate["features"], certificate["parts"]
     return page(
         "certifying/page.html",
         **certificate,
         word="passed" if certificate["passed"] else "failed",
         pictures=pictures,
         no_pictures=no_pictures,
-        histograms=histograms[:_MOST_HISTOGRAMS],
+        rims=[{**feature, **rim} for feature in features for rim in feature["rims"] or [{}]],
+        quality=[{"part": part["name"], **one} for part in parts for one in part["quality"]],
         worst_welds=_worst_welds,
         worst_joints=_worst_joints,
     )

@@ -77,7 +77,7 @@ class Painter:
         self.close()
 
     def draw(self, scene: Scene) -> bytes:
-        """Return a scene as a PNG image. Raises PictureError; the painter is then of no more use."""
+        """Return a scene as a PNG image. Raises PictureError; the painter is useless then."""
         content = pickle.dumps(_plain(scene))
         deadline = time.monotonic() + _SECONDS_FOR_ONE
         assert self.process.stdin is not None

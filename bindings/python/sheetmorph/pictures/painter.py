@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import os
 import pickle
-import select
 import subprocess
 import sys
 from typing import TYPE_CHECKING, Any, BinaryIO
@@ -20,11 +19,7 @@ import numpy as np
 # These imports register the rendering back ends, although no name of them is used.
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import (
-    numpy_to_vtk,
-    numpy_to_vtkIdTypeArray,
-    vtk_to_numpy,
-)
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
@@ -51,7 +46,6 @@ _CREASE = 30.0  # degrees; sharper edges are not smoothed
 _MARGIN = 1.12
 _BAND = 56  # pixels for texts, above and below the parts
 _SHADES = 256
-_SECONDS_TO_START = 20.0
 
 
 def paint(scene: Scene, window: Any) -> bytes:
@@ -96,7 +90,7 @@ def _png(window: Any) -> bytes:
     writer.SetInputConnection(image.GetOutputPort())
     writer.WriteToMemoryOn()
     writer.Write()
-    return bytes(vtk_to_numpy(writer.GetResult()))
+    return bytes(memoryview(writer.GetResult()))
 
 
 def _layer_before(renderer: Any, window: Any) -> Any:
@@ -327,15 +321,11 @@ def _start_screen() -> subprocess.Popen[bytes]:
         stderr=subprocess.DEVNULL,
     )
     os.close(writing)
-    number = b""
-    while not number.endswith(b"\n"):
-        ready, _, _ = select.select([reading], [], [], _SECONDS_TO_START)
-        more = os.read(reading, 64) if ready else b""
-        if not more:
-            server.kill()
-            raise SystemExit("no virtual screen starts; check that Xvfb works")
-        number += more
-    os.environ["DISPLAY"] = f":{int(number)}"
+    with os.fdopen(reading) as answer:
+        number = answer.readline().strip()
+    if not number:
+        raise SystemExit("no virtual screen starts; check that Xvfb works")
+    os.environ["DISPLAY"] = f":{number}"
     return server
 
 
