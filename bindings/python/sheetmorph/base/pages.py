@@ -39,11 +39,11 @@ def _environment() -> Environment:
     return made
 
 
-def _number(value: object) -> object:
+def _number(value: object, factor: float = 1.0) -> object:
     """Return a value as a table shows it: a dash for None, the first of many, a rounded number."""
     if isinstance(value, list):
         return ", ".join(map(str, value[:_MOST])) + (", …" if len(value) > _MOST else "")
-    return "–" if value is None else f"{value:.4g}" if isinstance(value, float) else value
+    return "–" if value is None else f"{factor * value:.4g}" if isinstance(value, float) else value
 
 
 def _png(image: bytes) -> str:

@@ -104,9 +104,8 @@ def _sheets(
 
 
 def _view(points: Floats) -> tuple[float, float, float]:
-    """Return a direction from which points (n, 3) look large: mostly along their thinnest axis."""
-    some = points[:: max(1, len(points) // 20000)]
-    _, axes = np.linalg.eigh(np.cov(some - some.mean(axis=0), rowvar=False))
-    thin, middle, long = (axis * np.sign(axis @ (0.55, -1.0, 0.75)) for axis in axes.T)
-    x, y, z = (thin + 0.6 * middle + 0.3 * long).tolist()
+    """Return the usual view of points (n, 3), turned towards the axis along which they are thin."""
+    view = np.array(Scene.view)
+    view[points.std(axis=0).argmin()] *= 2.0
+    x, y, z = view.tolist()
     return x, y, z
