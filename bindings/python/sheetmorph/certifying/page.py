@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import permutations
 from typing import Any
 
 import numpy as np
@@ -66,7 +67,7 @@ def _pictures(parts: list[Written]) -> tuple[list[tuple[str, bytes]], str]:
 def _scenes(parts: list[Written]) -> list[Scene]:
     """Return the parts before, and after in colours; all with the same view and scale."""
     rest, moved = [part.mesh.points for part in parts], [part.places for part in parts]
-    looks = Scene([], view=_view(np.concatenate([*rest, *moved])), size=_SIZE)
+    looks = Scene([], view=_view(parts), size=_SIZE)
     away = [np.linalg.norm(part.places - part.mesh.points, axis=1) for part in parts]
     away = [one[part.faces[:, :3]].mean(axis=1) for one, part in zip(away, parts)]
     change, shape = [], []
@@ -103,9 +104,10 @@ def _sheets(
     ]
 
 
-def _view(points: Floats) -> tuple[float, float, float]:
-    """Return the usual view of points (n, 3), turned towards the axis along which they are thin."""
-    view = np.array(Scene.view)
-    view[points.std(axis=0).argmin()] *= 2.0
-    x, y, z = view.tolist()
-    return x, y, z
+def _view(parts: list[Written]) -> tuple[float, float, float]:
+    """Return the direction, of several from above, from which the triangles look largest."""
+    corners = np.concatenate([part.places[part.mesh.triangles] for part in parts])
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    signs = ((1.0, -1.0), (-1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
+    views = [(a * x, b * y, z) for x, y, z in permutations((0.55, 1.0, 0.75)) for a, b in signs]
+    return views[int(np.abs(normals @ np.array(views).T).sum(axis=0).argmax())]
