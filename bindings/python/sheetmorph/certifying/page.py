@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import permutations
 from typing import Any
@@ -94,7 +95,7 @@ def _coloured(looks: Scene, title: str, sheets: list[Sheet]) -> Scene:
 
 
 def _sheets(
-    parts: list[Written], places: list[Floats], values: list[Floats] | None = None
+    parts: list[Written], places: list[Floats], values: Sequence[Floats | None] = ()
 ) -> list[Sheet]:
     """Return the parts at some places (n, 3), coloured by values of their elements (m,)."""
     edges = sum(len(part.faces) for part in parts) <= _MOST_EDGES
