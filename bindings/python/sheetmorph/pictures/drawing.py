@@ -62,13 +62,16 @@ class Painter:
         if missing := missing_tools():
             raise PictureError(f"no picture can be drawn; install {' and '.join(missing)}")
         self._said = tempfile.TemporaryFile()
-        self.process = subprocess.Popen(
-            [_interpreter(), str(Path(__file__).with_name("painter.py"))],
-            env={**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1"},
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=self._said,
-        )
+        try:
+            self.process = subprocess.Popen(
+                [_interpreter(), str(Path(__file__).with_name("painter.py"))],
+                env={**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1"},
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=self._said,
+            )
+        except OSError as error:
+            raise PictureError(f"no picture can be drawn ({error})") from None
 
     def __enter__(self) -> Painter:
         return self
@@ -105,7 +108,8 @@ class Painter:
                 raise PictureError("the picture took too long; try a coarser mesh")
             more = os.read(self.process.stdout.fileno(), min(_BLOCK, count - len(found)))
             if not more:
-                raise PictureError(f"VTK could not draw the picture ({self._reason()}); {_CHECK}")
+                what = f"VTK could not draw the picture ({self._reason()})"
+                raise PictureError(f"{what}; check that python3-vtk9 works")
             found += more
         return bytes(found)
 
@@ -122,9 +126,6 @@ def _interpreter() -> str:
     if "python" in Path(sys.executable).name:
         return sys.executable
     return os.path.join(sys.base_prefix, "bin", "python{}.{}".format(*sys.version_info))
-
-
-_CHECK = "check that python3-vtk9 works"
 
 
 def _plain(scene: Scene) -> SimpleNamespace:
