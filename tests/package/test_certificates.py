@@ -120,6 +120,9 @@ def test_a_run_is_certified_with_its_hole_round(folder: Path, capsys):
     assert part["mass"]["before_t"] == pytest.approx(area * 1.5 * 7.85e-9, rel=1e-9)
     page = (folder / "out" / "certificate.html").read_text()
     assert "passed" in page and page.count("data:image/png;base64,") == 4 and "http" not in page
+    step = part["time_step"]["before_ms"]
+    shown = [1000.0 * part["mass"]["after_t"], 1000.0 * step, rim["diameter_after"]]
+    assert [value for value in shown if f"<td>{value:.4g}</td>" not in page] == []
     assert page.count('<div class="bars">') == len(
         [one for one in part["quality"] if {"min", "max"} & set(one)]
     )
