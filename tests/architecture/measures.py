@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measures functions of both languages: their length in lines and their number of parameters."""
+"""Measures the length of functions of both languages in lines."""
 import ast
 import re
 from dataclasses import dataclass
 
 LONGEST_FUNCTION = 40
-MOST_PARAMETERS = 4
 LONGEST_HEADER = 150
 LONGEST_SOURCE = 600
 
@@ -29,52 +28,29 @@ class Function:
     name: str
     line: int
     lines: int
-    parameters: int
 
     def faults(self) -> list[str]:
         """What is too big about it."""
-        found = []
         if self.lines > LONGEST_FUNCTION:
-            found.append(f"line {self.line}: {self.name} has {self.lines} lines")
-        if self.parameters > MOST_PARAMETERS:
-            found.append(f"line {self.line}: {self.name} has {self.parameters} parameters")
-        return found
+            return [f"line {self.line}: {self.name} has {self.lines} lines"]
+        return []
 
 
 def python_functions(text: str) -> list[Function]:
-    """Return every function of a Python source.
-
-    Its docstring does not count. Nor do `self`, keyword-only parameters, which every call names,
-    and the fixtures of a test, which nobody passes.
-    """
+    """Return every function of a Python source; its docstring does not count."""
     found = []
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
-            names = [argument.arg for argument in node.args.posonlyargs + node.args.args]
-            count = len([name for name in names if name not in ("self", "cls")])
-            count = 0 if node.name.startswith("test_") else count
             lines = (node.end_lineno or node.lineno) - node.lineno + 1
             if ast.get_docstring(node) is not None:
                 lines -= (node.body[0].end_lineno or 0) - node.body[0].lineno + 1
-            found.append(Function(node.name, node.lineno, lines, count))
+            found.append(Function(node.name, node.lineno, lines))
     return found
 
 
 def blank(match: re.Match) -> str:
     """Spaces instead of what was matched; its line breaks stay."""
     return re.sub(r"[^\n]", " ", match.group())
-
-
-def count_parameters(head: str) -> int:
-    """The parameters in the first parenthesis of a C++ function's head."""
-    depth, count, is_empty = 0, 0, True
-    for char in head[head.index("(") :]:
-        depth += (char in "([{<") - (char in ")]}>")
-        if depth == 0:
-            break
-        count += char == "," and depth == 1
-        is_empty = is_empty and (char.isspace() or char == "(")
-    return 0 if is_empty else count + 1
 
 
 class CppReader:
@@ -111,7 +87,7 @@ class CppReader:
             return "inner"  # a braced initialiser
         name = re.search(r"(operator\S*|[~\w:]+)\s*\($", head[: head.index("(") + 1])
         line = self.code.count("\n", 0, brace) - head.count("\n") + 1 - is_first_on_line
-        return Function(name.group(1) if name else "?", line, 0, count_parameters(head))
+        return Function(name.group(1) if name else "?", line, 0)
 
     def _close(self, brace: int) -> bool:
         opened = self._open.pop()

@@ -110,7 +110,3 @@ def test_a_page_at_the_top_names_only_commands_that_exist(page):
     commands = re.findall(r"^  (\w+) ", (ROOT / "sheetmorph").read_text(), re.MULTILINE)
     assert len(named) > 1
     assert set(named) <= set(commands)
-
-
-def test_the_readme_fits_one_screen():
-    assert len((ROOT / "README.md").read_text().split()) < 500

@@ -40,13 +40,8 @@ def test_a_long_python_function_is_noticed():
     head = 'class A:\n    def f(self, a):\n        """Adds.\n\n        Nothing else."""\n'
     text = head + "        a += 1\n" * 40 + "        return a\n"
     (function,) = python_functions(text)
-    assert (function.lines, function.parameters) == (42, 1)
+    assert function.lines == 42
     assert function.faults() == ["line 2: f has 42 lines"]
-
-
-def test_many_python_parameters_are_noticed():
-    (function,) = python_functions("def f(a, b, c, d, e, *, f=1):\n    return a\n")
-    assert function.faults() == ["line 1: f has 5 parameters"]
 
 
 CPP = """
@@ -83,14 +78,8 @@ def test_cpp_functions_are_found_with_their_sizes():
     found = {
         f.name: f for f in cpp_functions(CPP.replace("LINES", "    run([](int i) { go(i); });\n"))
     }
-    assert {name: f.parameters for name, f in found.items()} == {
-        "twice": 0,
-        "many": 5,
-        "Session::Session": 1,
-        "after": 1,
-    }
+    assert set(found) == {"twice", "many", "Session::Session", "after"}
     assert (found["many"].line, found["many"].lines) == (11, 8)
-    assert found["many"].faults() == ["line 11: many has 5 parameters"]
 
 
 def test_a_long_cpp_function_is_noticed():

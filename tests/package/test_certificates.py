@@ -14,6 +14,7 @@ from sheetmorph import read_part
 from sheetmorph.certifying import NotCertified, Targets, certify, read_criteria, shipped
 from sheetmorph.measuring.quality import MEASURES, areas, measured, step_length
 from sheetmorph.cli import main
+from sheetmorph.pictures import drawing
 from sheetmorph.base.errors import FileError
 
 CLEAR = Path(__file__).parents[2] / "bindings" / "python" / "sheetmorph"
@@ -118,7 +119,32 @@ def test_a_run_is_certified_with_its_hole_round(folder: Path, capsys):
     assert part["material"] == {"name": "steel", "density_t_mm3": 7.85e-9}
     assert part["mass"]["before_t"] == pytest.approx(area * 1.5 * 7.85e-9, rel=1e-9)
     page = (folder / "out" / "certificate.html").read_text()
-    assert "passed" in page and page.count("<svg") > 4 and "http" not in page
+    assert "passed" in page and page.count("data:image/png;base64,") == 4 and "http" not in page
+    step = part["time_step"]["before_ms"]
+    shown = [1000.0 * part["mass"]["after_t"], 1000.0 * step, rim["diameter_after"]]
+    assert [value for value in shown if f"<td>{value:.4g}</td>" not in page] == []
+    assert page.count('<div class="bars">') == len(
+        [one for one in part["quality"] if {"min", "max"} & set(one)]
+    )
+
+
+def test_names_of_files_are_text_on_the_page(folder: Path):
+    evil = "<script>alert(1)</script>"
+    recipe = json.loads((folder / "recipe.json").read_text().replace('"hole"', json.dumps(evil)))
+    (folder / "recipe.json").write_text(json.dumps(recipe))
+    arguments = [str(folder / "recipe.json"), "-o", str(folder / "out"), "--certify", "--quiet"]
+    assert main(["run", *arguments]) == 0
+    page = (folder / "out" / "certificate.html").read_text()
+    assert "<script" not in page and "&lt;script&gt;alert(1)&lt;/script&gt;" in page
+
+
+def test_a_page_without_pictures_names_the_package_that_draws_them(folder: Path, monkeypatch):
+    monkeypatch.setattr(drawing.shutil, "which", lambda _: None)
+    arguments = [str(folder / "recipe.json"), "-o", str(folder / "out"), "--certify", "--quiet"]
+    assert main(["run", *arguments, "--criteria", "static"]) == 0
+    page = (folder / "out" / "certificate.html").read_text()
+    assert "Without pictures: no picture can be drawn; install xvfb." in page
+    assert "<img" not in page and "Form features, mm" in page
 
 
 UNITS = {"t": (2.7e-9, 70000.0), "kg": (2.7e-6, 70.0), "g": (2.7e-3, 70000.0)}

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,7 +15,17 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 import sheetmorph
 from sheetmorph.cli import main
 from sheetmorph.recipe.reading import read_json
-from sheetmorph.pictures import Arrow, PictureError, Scene, Sheet, before_and_after, draw, drawing
+from sheetmorph.pictures import (
+    Arrow,
+    Painter,
+    PictureError,
+    Scene,
+    Sheet,
+    before_and_after,
+    draw,
+    drawing,
+    drawn,
+)
 from sheetmorph.pictures.scene import ROLES
 
 SQUARE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
@@ -48,8 +57,9 @@ def test_a_scene_shows_its_sheets_marks_and_arrows(tmp_path: Path):
     draw([(first, tmp_path / "first.png"), (second, tmp_path / "second.png")])
     seen, plain = pixels(tmp_path / "first.png"), pixels(tmp_path / "second.png")
     assert seen.shape[:2] == (240, 320)
-    # The square is as high as the picture but for the margin; its half is marked.
-    assert share_near(seen, red) == pytest.approx(0.5 * (240 / 1.12) ** 2 / (240 * 320), abs=0.05)
+    # The square is as high as the picture without margin and room for texts; half of it is red.
+    side = (240 - 2 * 56) / 1.12
+    assert share_near(seen, red) == pytest.approx(0.5 * side**2 / (240 * 320), abs=0.02)
     assert share_near(plain, red) == 0.0
 
 
@@ -71,19 +81,66 @@ def test_no_picture_appears_where_none_can_be_drawn(tmp_path: Path, monkeypatch)
     assert list(tmp_path.iterdir()) == []
 
 
-@contextmanager
-def no_screen() -> Iterator[str]:
-    """The name of a display that does not exist."""
-    yield ":987"
-
-
 def test_a_driver_that_gives_up_is_one_sentence(tmp_path: Path, monkeypatch):
-    monkeypatch.setattr(drawing, "_screen", no_screen)
+    (tmp_path / "bin").mkdir()
+    screen = tmp_path / "bin" / "Xvfb"
+    screen.write_text('#!/bin/sh\neval "echo 987 >&$2"\n')  # the number of no screen
+    screen.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path / "bin"))
     # Since VTK 9.4 others take over where there is no screen, if they may.
     monkeypatch.setenv("VTK_DEFAULT_OPENGL_WINDOW", "vtkXOpenGLRenderWindow")
     with pytest.raises(PictureError, match="VTK could not draw"):
         draw([(Scene([Sheet(SQUARE, HALVES)]), tmp_path / "no.png")])
-    assert list(tmp_path.iterdir()) == []
+    assert not (tmp_path / "no.png").exists()
+
+
+def test_a_painter_draws_the_same_whatever_it_drew_before():
+    plain = Scene([Sheet(SQUARE, HALVES)], size=(240, 180))
+    arrow = Arrow((0.2, 0.5, 0.0), (0.8, 0.5, 9.0))
+    other = Scene([], [arrow], "a title", {"red": (1.0, 0.0, 0.0)}, "height", size=(320, 240))
+    assert drawn([plain, other, plain])[2] == drawn([plain])[0]
+
+
+def test_colours_belong_to_faces_and_quads_have_no_diagonal(tmp_path: Path):
+    quads = np.array([[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 5, -1]])
+    points = np.array([[x, y, 0.0] for y in (0.0, 1.0) for x in (0.0, 1.0, 2.0)])
+    points[4, 1] = 0.9
+    values = np.array([0.0, 1.0, 0.0])
+    blue, red = (0.1, 0.1, 0.9), (0.9, 0.1, 0.1)
+    sheet = Sheet(points, quads, values=values, is_by_face=True, has_edges=True)
+    draw([(Scene([sheet], ramp=(blue, red), size=(320, 240), view=(0, 0, 1)), tmp_path / "a.png")])
+    picture = pixels(tmp_path / "a.png")
+    share = share_near(picture, red, 70) / share_near(picture, blue, 70)
+    assert share == pytest.approx(0.95 / 1.05, abs=0.05)
+
+
+def test_a_dead_painter_leaves_no_screen_behind():
+    painter = Painter()
+    painter.draw(Scene([Sheet(SQUARE, HALVES)], size=(240, 180)))
+    (screen,) = children_of(painter.process.pid)
+    painter.process.kill()
+    with pytest.raises(PictureError, match="VTK could not draw"):
+        painter.draw(Scene([Sheet(SQUARE, HALVES)], size=(240, 180)))
+    painter.close()
+    deadline = time.monotonic() + 60.0
+    while is_alive(screen) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert not is_alive(screen)
+
+
+def children_of(process: int) -> list[int]:
+    """The process ids of the children of a process."""
+    return [
+        int(pid) for pid in Path(f"/proc/{process}/task/{process}/children").read_text().split()
+    ]
+
+
+def is_alive(process: int) -> bool:
+    """Whether a process runs; one that ended and has no parent to notice does not."""
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except FileNotFoundError:
+        return False
 
 
 def test_show_draws_what_a_recipe_means(folder: Path, capsys):

@@ -173,6 +173,6 @@ def test_an_inverted_element_is_turned_back():
     cut = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]).astype(np.int32)
     stays = borders_and_creases(grid, quads, 30.0)
     limits = {"jacobian": {"min": 0.5}, "min_angle": {"min": 30.0}}
-    slid = Sliding((grid, cut), quads, stays, limits).slid()
+    slid = Sliding(grid, cut, quads, stays, limits).slid()
     assert slid.failing[0] > 0 and slid.failing[1] == 0
     assert np.array_equal(slid.places[stays], grid[stays])

@@ -18,6 +18,7 @@ import pytest
 import sheetmorph
 from sheetmorph.certifying import certify, read_criteria
 from sheetmorph.cli import main
+from sheetmorph.pictures import drawing
 from study_samples import contents, rows_of, write_recipe, write_study
 
 LIFT = {"path": "pose.tip.translation[2]", "range": [0, 10]}
@@ -252,12 +253,59 @@ def test_pictures_and_the_page_are_whole(tmp_path: Path):
         assert names == ["parameters.json", "picture.png"]
         assert (folder / "picture.png").read_bytes().startswith(b"\x89PNG")
     page = (out / "summary.html").read_text()
-    assert (
-        page.count("<")
-        and "STUDY_DATA" not in page
-        and "http:" not in page.replace("http://www.w3.org/2000/svg", "")
-    )
-    assert "iVBOR" in page
+    assert page.count("iVBOR") == 4
+    assert "http:" not in page.replace("http://www.w3.org/2000/svg", "") and "https:" not in page
+
+
+def test_names_on_the_page_are_text_even_if_they_look_like_code(tmp_path: Path):
+    evil = "</script><script>alert(1)</script>"
+    lift = {"path": "pose.tip.translation[2]", "values": [1, 2]}
+    out = study(tmp_path, parameters={evil: lift}, sampling=None)
+    page = (out / "summary.html").read_text()
+    assert page.count("<script>") == 1 and "\\u003cscript\\u003e" in page
+
+
+def test_a_missing_program_costs_the_pictures_and_the_next_call_draws_them(tmp_path, monkeypatch):
+    with monkeypatch.context() as without:
+        without.setattr(drawing.shutil, "which", lambda _: None)
+        out = study(tmp_path, write=["pictures"])
+        assert [row["status"] for row in rows_of(out)] == ["passed"] * 4
+        assert "Some are missing: no picture can be drawn; install xvfb." in page_of(out)
+        before = contents(out)
+        study(tmp_path, write=["pictures"])
+        assert contents(out) == before and computed(out) == 0
+    study(tmp_path, write=["pictures"])
+    assert computed(out) == 4 and page_of(out).count("iVBOR") == 4
+    assert "missing" not in page_of(out)
+
+
+def test_a_killed_painter_costs_one_picture_and_no_variant(tmp_path: Path, monkeypatch, capsys):
+    draw, drawn = drawing.Painter.draw, []
+
+    def draw_or_die(painter: drawing.Painter, scene: object) -> bytes:
+        drawn.append(scene)
+        if len(drawn) == 2:
+            painter.process.kill()
+        return draw(painter, scene)
+
+    monkeypatch.setattr(drawing.Painter, "draw", draw_or_die)
+    out = study(tmp_path, write=["pictures"])
+    assert [row["status"] for row in rows_of(out)] == ["passed"] * 4
+    assert sorted(path.parent.name for path in out.glob("0*/picture.png")) == [
+        "000000",
+        "000002",
+        "000003",
+    ]
+    assert "1 variant(s) without a picture: VTK could not draw" in capsys.readouterr().out
+
+
+def page_of(out: Path) -> str:
+    return (out / "summary.html").read_text()
+
+
+def computed(out: Path) -> int:
+    """Return how many variants the last call computed."""
+    return int(json.loads((out / "costs.json").read_text())["computed"])
 
 
 def test_decks_are_written_as_decks(tmp_path: Path):
@@ -299,7 +347,10 @@ def test_a_changed_part_is_computed_again_and_a_moved_variant_is_not(tmp_path: P
 
 
 def test_processes_make_the_same_files(tmp_path: Path):
-    keys = {"measure": {"far": {"distance": ["wall", "tip"]}}, "write": ["parts", "certificate"]}
+    keys = {
+        "measure": {"far": {"distance": ["wall", "tip"]}},
+        "write": ["parts", "certificate", "pictures"],
+    }
     one = contents(study(tmp_path, **keys))
     shutil.rmtree(tmp_path / "out")
     two = contents(study(tmp_path, "--engine", "processes", "--workers", "2", **keys))

@@ -17,7 +17,9 @@ import pytest
 from plates import plate, write_plate
 from sheetmorph import FileError, OccupiedError, RecipeError
 from sheetmorph.study.leases import Lease, alone, among_others, is_abandoned
+from sheetmorph.study.rows import ERROR, FILE, PASSED, Row
 from sheetmorph.study.running import Ways, run_study
+from sheetmorph.study.storing import Store, write_json
 
 COUNT = 6
 
@@ -111,6 +113,14 @@ def test_a_variant_that_lost_a_file_is_computed_again(study: Path):
     (told,) = run_study(study, out)
     assert "2 computed" in told
     assert contents(out) == before
+
+
+def test_a_variant_with_an_error_is_replaced_by_the_next_try(tmp_path: Path):
+    store = Store(tmp_path)
+    for status in (ERROR, PASSED, ERROR):
+        with store.folder(0) as folder:
+            write_json(folder, {FILE: Row("same", {}, status).to_json()})
+    assert store.row(0, "same").status == PASSED
 
 
 def test_finished_variants_of_other_settings_are_kept_and_come_back(study: Path):

@@ -16,7 +16,6 @@ from sheetmorph.cli import main
 FOLDERS = ("tutorials", "how-to")
 PAGES = sorted(path for folder in FOLDERS for path in (DOCUMENTS / folder).glob("*.md"))
 EXAMPLE = re.compile(r"`(resources/examples/[\w./-]+)`")
-LONGEST = 450  # words, one screen
 
 
 def prepare(page: Path, folder: Path) -> None:
@@ -65,11 +64,6 @@ def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
         run_block(block, names)
     promised = re.findall(r"^- `([\w./-]+)`: ", page.read_text("utf-8"), re.MULTILINE)
     assert [name for name in promised if not (tmp_path / name).exists()] == []
-
-
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
-def test_a_page_fits_one_screen(page):
-    assert len(page.read_text("utf-8").split()) <= LONGEST
 
 
 def test_blocks_are_read_from_a_page(tmp_path):

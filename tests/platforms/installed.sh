@@ -57,7 +57,7 @@ try_archive() {
     echo "installed: the archive morphs"
 }
 
-# In an environment that sees the system's numpy, jsonschema and meshio; nothing is downloaded.
+# In an environment that sees the system's numpy, jsonschema, jinja2 and meshio; nothing is downloaded.
 try_wheel() {
     as_designer "python3 -m venv --system-site-packages wheel &&
         wheel/bin/pip install --quiet --no-index $PWD/sheetmorph-*.whl"

@@ -54,8 +54,8 @@ def repaired(result: Shown, sources: list[Source], criteria: str | Path) -> Show
             faces = file.faces_among(vertices)
             stays = _stays(result, name, faces)
             stays |= _near_joints(file)[vertices]
-            surface = positions[name], result.session.meshes[name].triangles
-            slid = Sliding(surface, faces, stays, wanted.elements).slid()
+            triangles = result.session.meshes[name].triangles
+            slid = Sliding(positions[name], triangles, faces, stays, wanted.elements).slid()
             told.append(_entry(name, wanted.name, slid, positions[name]))
             positions[name] = slid.places
     return replace(result, positions=positions, repairs=told)

@@ -42,18 +42,19 @@ class Slid:
 class Sliding:
     """A sheet with positions (n, 3) and faces (m, 4), the last corner -1 for triangles.
 
-    surface holds the positions and the triangles (t, 3) in which nodes slide. stays (n,) marks the
-    nodes that do not slide. limits maps a measure to "min" or "max".
+    Nodes slide in the triangles (t, 3). stays (n,) marks the nodes that do not slide. limits maps a
+    measure to "min" or "max".
     """
 
     def __init__(
         self,
-        surface: tuple[Floats, Ints],
+        places: Floats,
+        triangles: Ints,
         faces: Ints,
         stays: Bools,
         limits: Mapping[str, Mapping[str, float]],
     ):
-        self._rest, self._triangles = surface
+        self._rest, self._triangles = places, triangles
         self._places = self._rest.copy()
         self._faces, self._stays, self._limits = faces.astype(np.int64), stays, limits
         self._tree = load_kernel().PickingTree(np.ascontiguousarray(self._rest), self._triangles)

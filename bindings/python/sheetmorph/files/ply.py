@@ -109,7 +109,7 @@ class BinaryPlyFile(PartFile):
 
     def __init__(self, source: Source, header: Header):
         vertex, face = checked_elements(source, header)
-        blocks = {e.name: block for e, block in _blocks(source, header, (vertex, face))}
+        blocks = {e.name: block for e, block in _blocks(source, header, vertex, face)}
         extra = len(source.data) - blocks.pop("")
         self._data = source.data
         self._record = scalar_dtype(vertex, header.order)
@@ -141,13 +141,12 @@ class BinaryPlyFile(PartFile):
 
 
 def _blocks(
-    source: Source, header: Header, wanted: tuple[Element, Element]
+    source: Source, header: Header, vertex: Element, face: Element
 ) -> Iterator[tuple[Element, Any]]:
     """Yield the byte offset of the vertex element, and the vertex lists of the face element.
 
     Other elements are skipped. The last item is an unnamed element with the end offset.
     """
-    vertex, face = wanted
     offset = header.begin
     for element in header.elements:
         begin = offset
@@ -168,7 +167,7 @@ def _blocks(
             )
             continue
         column = element.index("vertex_indices", "vertex_index") if element is face else -1
-        lists, offset = _walk(source, element, header.order, (begin, column))
+        lists, offset = _walk(source, element, header.order, begin, column)
         if element is face:
             yield element, lists
     yield Element("", 0), offset
@@ -180,10 +179,12 @@ def _ends_early(source: Source, element: Element) -> Exception:
 
 
 def _walk(
-    source: Source, element: Element, order: str, at: tuple[int, int]
+    source: Source, element: Element, order: str, offset: int, column: int
 ) -> tuple[list[list[int]], int]:
-    """Return the lists in a column of an element (-1: none), and the offset after the element."""
-    offset, column = at
+    """Return the lists in a column of an element (-1: none), and the offset after the element.
+
+    offset is that of the element.
+    """
     lists: list[list[int]] = []
     for _ in range(element.size):
         for k, entry in enumerate(element.properties):

@@ -152,13 +152,13 @@ def prepared_mesh(
         points, triangles = fresh.points, fresh.triangles
     made = PreparedMesh(
         points, triangles, name=mesh.name, source=mesh, support=support, vertex_of=vertex_of,
-        done=done, labels=_labels(core, mesh, (points, triangles), triangle_of),
+        done=done, labels=_labels(core, mesh, points, triangles, triangle_of),
     )  # fmt: skip
     return made, triangle_of
 
 
 def _labels(
-    core: ModuleType, mesh: PartMesh, made: tuple[Floats, Ints], triangle_of: Ints
+    core: ModuleType, mesh: PartMesh, points: Floats, triangles: Ints, triangle_of: Ints
 ) -> Labels | None:
     """Transfer the labels of a mesh to new triangles, by the facet under the centre of each.
 
@@ -166,7 +166,6 @@ def _labels(
     """
     if mesh.labels is None:
         return None
-    points, triangles = made
     middles = points[triangles].mean(axis=1)
     below = mesh.points[mesh.triangles[triangle_of]].mean(axis=1)
     off = np.flatnonzero((middles != below).any(axis=1)).tolist()

@@ -43,7 +43,7 @@ def find(
     core = load_kernel()
     begin = time.perf_counter()
     meshes = [core.TriangleMesh(part.mesh.points, part.mesh.triangles) for part in parts]
-    features = _features(core, (parts, meshes), options, progress)
+    features = _features(core, parts, meshes, options, progress)
     middle = time.perf_counter()
     contacts: list[_core.FoundContact] = []
     gap = 0.0
@@ -57,7 +57,7 @@ def find(
             options = options.changed({"gap": gap})
             thickness = [max(0.0, thick - gap) for thick in thickness]
         shapes = [core.ContactPart(*of_part) for of_part in zip(meshes, thickness, features)]
-        contacts, gap = _contacts(core, shapes, options, (connections, progress))
+        contacts, gap = _contacts(core, shapes, options, connections, progress)
     return Findings(
         features=_feature_entries(parts, features, options),
         contacts=_contact_entries(parts, contacts, options),
@@ -69,32 +69,30 @@ def find(
 
 def _features(
     core: ModuleType,
-    shapes: tuple[Sequence[FindPart], list[_core.TriangleMesh]],
+    parts: Sequence[FindPart],
+    meshes: list[_core.TriangleMesh],
     options: FindOptions,
     progress: Progress | None,
 ) -> list[list[_core.Feature]]:
-    """Return the features of every part, from its cache or from the kernel.
-
-    shapes has the parts and their meshes.
-    """
+    """Return the features of every part, from its cache or from the kernel."""
     first = None if progress is None else lambda share, task: progress(0.5 * share, task)
     key = options.feature_key()
-    new = [(part, mesh) for part, mesh in zip(*shapes) if key not in part.kept]
+    new = [(part, mesh) for part, mesh in zip(parts, meshes) if key not in part.kept]
     found = core.find_features([mesh for _, mesh in new], options.feature_tolerances(core), first)
     for (part, _), features in zip(new, found):
         part.kept.clear()
         part.kept[key] = features
-    return [part.kept[key] for part in shapes[0]]
+    return [part.kept[key] for part in parts]
 
 
 def _contacts(
     core: ModuleType,
     shapes: list[_core.ContactPart],
     options: FindOptions,
-    more: tuple[Sequence[Connection], Progress | None],
+    connections: Sequence[Connection],
+    progress: Progress | None,
 ) -> tuple[list[_core.FoundContact], float]:
-    """Return the contacts of the kernel, and the gap; more has connections and progress."""
-    connections, progress = more
+    """Return the contacts of the kernel, and the gap."""
     tolerances = options.contact_tolerances(core)
     rest = None if progress is None else lambda share, task: progress(0.5 + 0.5 * share, task)
     elements = [tuple(connection) for connection in connections]

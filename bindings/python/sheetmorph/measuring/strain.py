@@ -221,9 +221,8 @@ def curvature_changes(rest: Floats, positions: Floats, triangles: Ints) -> Float
         corners = triangles[part]
         gradients, _ = _shape_gradients(rest, corners)
         with np.errstate(all="ignore"):
-            return _curvatures((positions, after), corners, gradients) - _curvatures(
-                (rest, before), corners, gradients
-            )
+            now = _curvatures(positions, after, corners, gradients)
+            return now - _curvatures(rest, before, corners, gradients)
 
     return in_blocks(of, len(triangles))
 
@@ -236,8 +235,8 @@ def arcs(points: Floats, triangles: Ints) -> tuple[Floats, Ints]:
     """
     gradients, axes = _shape_gradients(points, triangles)
     with np.errstate(all="ignore"):
-        told = points, _vertex_normals(points, triangles)
-        form = np.nan_to_num(_curvatures(told, triangles, gradients))
+        normals = _vertex_normals(points, triangles)
+        form = np.nan_to_num(_curvatures(points, normals, triangles, gradients))
     values, vectors = np.linalg.eigh(form)
     most = np.abs(values).argmax(axis=1)
     rows = np.arange(len(triangles))
@@ -284,14 +283,10 @@ def _shape_gradients(rest: Floats, triangles: Ints) -> tuple[Floats, Floats]:
         return np.einsum("mik,mjk->mij", turned, axes), axes
 
 
-def _curvatures(sheet: tuple[Floats, Floats], triangles: Ints, gradients: Floats) -> Floats:
-    """Return the negative second fundamental form (m, 2, 2) from normals of the corners.
-
-    sheet has the vertices and their normals, each (n, 3).
-    """
-    points, at_vertices = sheet
+def _curvatures(points: Floats, normals: Floats, triangles: Ints, gradients: Floats) -> Floats:
+    """Return the negative second fundamental form (m, 2, 2) from normals (n, 3) of the points."""
     along = np.einsum("mik,mil->mkl", points[triangles], gradients)
-    turning = np.einsum("mik,mil->mkl", at_vertices[triangles], gradients)
+    turning = np.einsum("mik,mil->mkl", normals[triangles], gradients)
     form = np.einsum("mki,mkj->mij", along, turning)
     found: Floats = 0.5 * (form + form.transpose(0, 2, 1))
     return found

@@ -14,16 +14,17 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+import time
+from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 from types import SimpleNamespace
 
 from ..files.atomic import FileSet
 from .scene import Scene
 
-_SECONDS_TO_START = 20.0
 _SECONDS_FOR_ONE = 120.0
+_BLOCK = 1 << 16
 
 
 class PictureError(RuntimeError):
@@ -40,14 +41,91 @@ def draw(pictures: Sequence[tuple[Scene, Path]], files: FileSet | None = None) -
             draw(pictures, own)
             own.commit()
         return
-    require_tools()
-    temporaries = [(scene, files.temporary_for(path)) for scene, path in pictures]
-    with tempfile.TemporaryDirectory(prefix="sheetmorph-picture-") as folder, _screen() as screen:
-        wanted = Path(folder) / "scenes"
-        wanted.write_bytes(
-            pickle.dumps([(_plain(scene), str(path)) for scene, path in temporaries])
-        )
-        _draw_on(screen, wanted, len(pictures))
+    temporaries = [files.temporary_for(path) for _, path in pictures]
+    for temporary, image in zip(temporaries, drawn([scene for scene, _ in pictures])):
+        temporary.write_bytes(image)
+
+
+def drawn(scenes: Sequence[Scene]) -> list[bytes]:
+    """Return every scene as a PNG image. Raises PictureError."""
+    with Painter() as painter:
+        return [painter.draw(scene) for scene in scenes]
+
+
+class Painter:
+    """A process that draws one scene after the other, for a ``with`` block.
+
+    The process also ends with this one, however that happens. Raises PictureError.
+    """
+
+    def __init__(self) -> None:
+        if missing := missing_tools():
+            raise PictureError(f"no picture can be drawn; install {' and '.join(missing)}")
+        self._said = tempfile.TemporaryFile()
+        try:
+            self.process = subprocess.Popen(
+                [_interpreter(), str(Path(__file__).with_name("painter.py"))],
+                env={**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1"},
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=self._said,
+            )
+        except OSError as error:
+            raise PictureError(f"no picture can be drawn ({error})") from None
+
+    def __enter__(self) -> Painter:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+    def draw(self, scene: Scene) -> bytes:
+        """Return a scene as a PNG image. Raises PictureError; the painter is useless then."""
+        content = pickle.dumps(_plain(scene))
+        deadline = time.monotonic() + _SECONDS_FOR_ONE
+        assert self.process.stdin is not None
+        with suppress(BrokenPipeError):
+            self.process.stdin.write(len(content).to_bytes(8, "little") + content)
+            self.process.stdin.flush()
+        return self._read(int.from_bytes(self._read(8, deadline), "little"), deadline)
+
+    def close(self) -> None:
+        """End the process."""
+        assert self.process.stdin is not None and self.process.stdout is not None
+        with suppress(BrokenPipeError):
+            self.process.stdin.close()
+        self.process.stdout.close()
+        self.process.wait()
+        self._said.close()
+
+    def _read(self, count: int, deadline: float) -> bytes:
+        assert self.process.stdout is not None
+        found = bytearray()
+        while len(found) < count:
+            left = max(0.0, deadline - time.monotonic())
+            if not select.select([self.process.stdout], [], [], left)[0]:
+                self.process.kill()
+                raise PictureError("the picture took too long; try a coarser mesh")
+            more = os.read(self.process.stdout.fileno(), min(_BLOCK, count - len(found)))
+            if not more:
+                what = f"VTK could not draw the picture ({self._reason()})"
+                raise PictureError(f"{what}; check that python3-vtk9 works")
+            found += more
+        return bytes(found)
+
+    def _reason(self) -> str:
+        """Return the last words of a process that ended."""
+        status = self.process.wait()
+        self._said.seek(0)
+        lines = self._said.read().decode(errors="replace").strip().splitlines()
+        return lines[-1] if lines else f"status {status}"
+
+
+def _interpreter() -> str:
+    """Return the path of Python; in FreeCAD sys.executable may be FreeCAD."""
+    if "python" in Path(sys.executable).name:
+        return sys.executable
+    return os.path.join(sys.base_prefix, "bin", "python{}.{}".format(*sys.version_info))
 
 
 def _plain(scene: Scene) -> SimpleNamespace:
@@ -57,67 +135,11 @@ def _plain(scene: Scene) -> SimpleNamespace:
     return SimpleNamespace(**{**vars(scene), "sheets": sheets, "arrows": arrows})
 
 
-def require_tools() -> None:
-    """Check that the drawing tools are installed. Raises PictureError."""
+def missing_tools() -> list[str]:
+    """Return the Debian packages without which nothing can be drawn here."""
     missing = []
     if importlib.util.find_spec("vtkmodules") is None:
         missing.append("python3-vtk9")
     if shutil.which("Xvfb") is None:
         missing.append("xvfb")
-    if missing:
-        raise PictureError(f"no picture can be drawn; install {' and '.join(missing)}")
-
-
-def _draw_on(screen: str, wanted: Path, count: int) -> None:
-    environment = {**os.environ, "DISPLAY": screen, "LIBGL_ALWAYS_SOFTWARE": "1"}
-    try:
-        done = subprocess.run(
-            [sys.executable, str(Path(__file__).with_name("painter.py")), str(wanted)],
-            env=environment,
-            capture_output=True,
-            timeout=_SECONDS_FOR_ONE * max(1, count),
-            check=False,
-        )
-    except subprocess.TimeoutExpired:
-        raise PictureError("the picture took too long; try a coarser mesh") from None
-    if done.returncode:
-        lines = done.stderr.decode(errors="replace").strip().splitlines()
-        said = lines[-1] if lines else f"status {done.returncode}"
-        raise PictureError(
-            f"VTK could not draw the picture ({said}); check that python3-vtk9 works"
-        )
-
-
-@contextmanager
-def _screen() -> Iterator[str]:
-    """Provide the name of a new virtual screen, such as ":7", for the duration of the block."""
-    reading, writing = os.pipe()
-    command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1600x1200x24", "-noreset"]
-    try:
-        server = subprocess.Popen(
-            [*command, "-nolisten", "tcp"],
-            pass_fds=[writing],
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-        )
-    finally:
-        os.close(writing)
-    try:
-        yield f":{_number_from(reading)}"
-    finally:
-        os.close(reading)
-        server.terminate()
-        server.wait()
-
-
-def _number_from(reading: int) -> int:
-    """Return the screen number that the server writes when it is ready."""
-    told = b""
-    while not told.endswith(b"\n"):
-        ready, _, _ = select.select([reading], [], [], _SECONDS_TO_START)
-        more = os.read(reading, 64) if ready else b""
-        if not more:
-            raise PictureError("no virtual screen starts; check that Xvfb works")
-        told += more
-    return int(told)
+    return missing

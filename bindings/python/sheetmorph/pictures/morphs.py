@@ -64,10 +64,10 @@ def before_and_after(result: Answer) -> tuple[Scene, Scene]:
     model = replace(session.model, pose=pose_of(result.pose))
     before = scene_of_recipe(model, session.meshes, "before")
     after = scene_of_answer(result, "after")
-    return _with_room(before, after), _with_room(after, before)
+    return with_room(before, after), with_room(after, before)
 
 
-def _with_room(scene: Scene, other: Scene) -> Scene:
+def with_room(scene: Scene, other: Scene) -> Scene:
     """Add invisible points to a scene, so that it has room for the content of another."""
     ends = [point for arrow in other.arrows for point in (arrow.start, arrow.end)]
     places = [*(sheet.points for sheet in other.sheets), np.array(ends, float).reshape(-1, 3)]

@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A program that draws the scenes in a file with VTK; `drawing` starts it.
+"""A program that draws scenes with VTK on a virtual screen; `drawing` starts it.
 
-It does not load the package, because that would take longer than the picture.
+It reads scenes from its standard input and writes PNG images to its standard output, each after its
+length, until the input ends. It does not load the package, because that would take longer than a
+picture.
 """
 
 from __future__ import annotations
 
+import os
 import pickle
+import subprocess
 import sys
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 
@@ -38,16 +41,16 @@ if TYPE_CHECKING:
     from .scene import Arrow, Colour, Scene, Sheet
 
 _TEXT: Colour = (0.13, 0.17, 0.22)
+_EDGE: Colour = (0.45, 0.49, 0.54)
 _CREASE = 30.0  # degrees; sharper edges are not smoothed
 _MARGIN = 1.12
+_BAND = 56  # pixels for texts, above and below the parts
 _SHADES = 256
 
 
-def paint(scene: Scene, path: str) -> None:
-    """Draw one scene into one file."""
-    window, renderer = vtkRenderWindow(), vtkRenderer()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(8)
+def paint(scene: Scene, window: Any) -> bytes:
+    """Draw a scene and return it as PNG."""
+    renderer = vtkRenderer()
     window.SetSize(*scene.size)
     window.AddRenderer(renderer)
     renderer.SetBackground(1.0, 1.0, 1.0)
@@ -64,14 +67,30 @@ def paint(scene: Scene, path: str) -> None:
     _look(renderer, scene, _bounds([renderer, before]))
     _write_texts(renderer, scene, table)
     window.Render()
+    found = _png(window)
+    for layer in (renderer, before):
+        window.RemoveRenderer(layer)
+    return found
+
+
+def _window() -> Any:
+    """Return a window for all scenes; to open one for each takes longer than to draw them."""
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    return window
+
+
+def _png(window: Any) -> bytes:
     image = vtkWindowToImageFilter()
     image.SetInput(window)
     image.ReadFrontBufferOff()
     image.ShouldRerenderOff()
     writer = vtkPNGWriter()
     writer.SetInputConnection(image.GetOutputPort())
-    writer.SetFileName(path)
+    writer.WriteToMemoryOn()
     writer.Write()
+    return bytes(memoryview(writer.GetResult()))
 
 
 def _layer_before(renderer: Any, window: Any) -> Any:
@@ -112,22 +131,7 @@ def _actors(sheet: Sheet, table: Any) -> list[Any]:
     points.SetData(numpy_to_vtk(np.ascontiguousarray(sheet.points, np.float64), deep=True))
     found = []
     if len(sheet.triangles):
-        data = vtkPolyData()
-        data.SetPoints(points)
-        data.SetPolys(_cells(sheet.triangles))
-        if sheet.values is not None:
-            data.GetPointData().SetScalars(numpy_to_vtk(sheet.values.astype(np.float64), deep=True))
-        normals = vtkPolyDataNormals()
-        normals.SetInputData(data)
-        normals.SetFeatureAngle(_CREASE)
-        normals.SplittingOn()
-        normals.ConsistencyOff()
-        mapper = vtkPolyDataMapper()
-        mapper.SetInputConnection(normals.GetOutputPort())
-        mapper.SetScalarVisibility(sheet.values is not None)
-        mapper.SetLookupTable(table)
-        mapper.UseLookupTableScalarRangeOn()
-        found.append(_coloured(mapper, sheet.colour))
+        found.append(_faces(sheet, points, table))
     if sheet.lines is not None and len(sheet.lines):
         data = vtkPolyData()
         data.SetPoints(points)
@@ -142,6 +146,30 @@ def _actors(sheet: Sheet, table: Any) -> list[Any]:
     return found
 
 
+def _faces(sheet: Sheet, points: Any, table: Any) -> Any:
+    data = vtkPolyData()
+    data.SetPoints(points)
+    data.SetPolys(_cells(sheet.triangles))
+    if sheet.values is not None:
+        of = data.GetCellData() if sheet.is_by_face else data.GetPointData()
+        of.SetScalars(numpy_to_vtk(np.ascontiguousarray(sheet.values, np.float64), deep=True))
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(data)
+    normals.SetFeatureAngle(_CREASE)
+    normals.SplittingOn()
+    normals.ConsistencyOff()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(normals.GetOutputPort())
+    mapper.SetScalarVisibility(sheet.values is not None)
+    mapper.SetLookupTable(table)
+    mapper.UseLookupTableScalarRangeOn()
+    actor = _coloured(mapper, sheet.colour)
+    if sheet.has_edges:
+        actor.GetProperty().EdgeVisibilityOn()
+        actor.GetProperty().SetEdgeColor(*_EDGE)
+    return actor
+
+
 def _lift(mapper: Any) -> None:
     """Draw lines in front of the sheet on which they lie."""
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
@@ -149,10 +177,10 @@ def _lift(mapper: Any) -> None:
 
 
 def _cells(rows: Ints) -> Any:
-    """Return cells (m, k) with the same number of corners."""
-    whole = np.column_stack([np.full(len(rows), rows.shape[1]), rows]).astype(np.int64)
+    """Return cells of the point indices in rows (m, k); indices below 0 are left out."""
+    whole = np.column_stack([(rows >= 0).sum(axis=1), rows]).astype(np.int64).ravel()
     cells = vtkCellArray()
-    cells.SetCells(len(rows), numpy_to_vtkIdTypeArray(whole.ravel(), deep=True))
+    cells.SetCells(len(rows), numpy_to_vtkIdTypeArray(whole[whole >= 0], deep=True))
     return cells
 
 
@@ -235,7 +263,9 @@ def _fit(renderer: Any, scene: Scene) -> None:
         put(*(np.asarray(get()) + shift))
     width, height = scene.size
     half = 0.5 * (high - low)
-    camera.SetParallelScale(_MARGIN * max(half[1], half[0] * height / width, 1e-9))
+    has_texts = bool(scene.title or scene.legend or scene.values)
+    free = height - 2 * _BAND if has_texts else height
+    camera.SetParallelScale(_MARGIN * height * max(half[1] / free, half[0] / width, 1e-9))
 
 
 def _write_texts(renderer: Any, scene: Scene, table: Any) -> None:
@@ -279,11 +309,45 @@ def _text(text: str, place: tuple[float, float], size: int) -> Any:
     return actor
 
 
-def main(path: str) -> None:
-    """Draw the scenes in a file."""
-    for scene, picture in pickle.loads(Path(path).read_bytes()):
-        paint(scene, picture)
+def _start_screen() -> subprocess.Popen[bytes]:
+    """Start a virtual screen, which ends with the last program on it, and name it to VTK."""
+    reading, writing = os.pipe()
+    command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1600x1200x24", "-terminate"]
+    server = subprocess.Popen(
+        [*command, "-nolisten", "tcp"],
+        pass_fds=[writing],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    os.close(writing)
+    with os.fdopen(reading) as answer:
+        number = answer.readline().strip()
+    if not number:
+        raise SystemExit("no virtual screen starts; check that Xvfb works")
+    os.environ["DISPLAY"] = f":{number}"
+    return server
+
+
+def _serve(scenes: BinaryIO, images: BinaryIO) -> None:
+    window = _window()
+    while head := scenes.read(8):
+        image = paint(pickle.loads(scenes.read(int.from_bytes(head, "little"))), window)
+        images.write(len(image).to_bytes(8, "little") + image)
+        images.flush()
+
+
+def main() -> None:
+    """Draw scenes until the input ends."""
+    images = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # what VTK prints must not get between the images
+    server = _start_screen()
+    try:
+        _serve(sys.stdin.buffer, images)
+    finally:
+        server.terminate()
+        server.wait()
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    main()

@@ -32,7 +32,8 @@ _RAMP: Sequence[Colour] = (SHEET, (0.99, 0.86, 0.45), (0.93, 0.45, 0.17), (0.62,
 class Sheet:
     """Triangles (m, 3) over points (n, 3) in mm, in one colour or coloured by values (n,).
 
-    lines (k, 2) has the point indices of bold lines.
+    triangles may also be elements (m, 4), with -1 last in a triangle. With is_by_face, the values
+    (m,) belong to them and not to the points. lines (k, 2) has the point indices of bold lines.
     """
 
     points: Floats
@@ -40,6 +41,8 @@ class Sheet:
     colour: Colour = SHEET
     values: Floats | None = None
     lines: Ints | None = None
+    is_by_face: bool = False
+    has_edges: bool = False
 
 
 @dataclass(frozen=True)

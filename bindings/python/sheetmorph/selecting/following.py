@@ -123,13 +123,12 @@ class Following:
         if things is None:
             return where
         try:
-            return self._leaf(things, (before, where), work)
+            return self._leaf(things, before, where, work)
         except Question as question:
             return {**where, _point_key(where): plain(work.answered(question))}
 
-    def _leaf(self, things: Any, pair: tuple[Any, Any], work: Work) -> Any:
+    def _leaf(self, things: Any, before: Any, where: Any, work: Work) -> Any:
         """Return a nearest-item selector with its point moved to the matched item."""
-        before, where = pair
         olds, news = things(self.old, before), things(self.new, where)
         old = _taken(self.old, olds, before)
         if old is None:
@@ -169,8 +168,8 @@ class Following:
                 return same[0], match.moved if is_far else 0.0
             entries = self.old.features[row], self.new.features[match.new]
             shift = np.array(entries[1]["center"]) - self.scale * np.array(entries[0]["center"])
-            return self._nearest(old, (olds, news), shift)
-        return self._nearest(old, (self._outside(self.old, olds), self._outside(self.new, news)))
+            return self._nearest(old, olds, news, shift)
+        return self._nearest(old, self._outside(self.old, olds), self._outside(self.new, news))
 
     def _hole_of(self, old: Thing) -> int | None:
         """Return the row of the hole that contains all vertices of an item, or None."""
@@ -192,11 +191,11 @@ class Following:
     def _nearest(
         self,
         old: Thing,
-        things: tuple[list[Thing], list[Thing]],
+        olds: list[Thing],
+        news: list[Thing],
         shift: Floats = np.zeros(3),
     ) -> tuple[Thing, float]:
         """Return the item of the same kind that is clearly nearest to the old position."""
-        olds, news = things
         like = [thing for thing in news if old.may_be(thing, self.scale)]
         gaps = [thing.gap(self.scale * old.samples + shift) for thing in like]
         order = np.argsort(gaps, kind="stable").tolist()

@@ -126,7 +126,7 @@ def _features(shape: PartShape, told: Told) -> list[Thing]:
             else:
                 loop = np.array(entry["rims"][0] if entry.get("rims") else entry["vertices"])
                 vertices = np.array(entry["vertices"])
-                found.append(_line(shape, _closed(loop), "rim", (vertices, row)))
+                found.append(_line(shape, _closed(loop), "rim", vertices, row))
     return found
 
 
@@ -137,7 +137,7 @@ def _rims(shape: PartShape, told: Told) -> list[Thing]:
         row = rows[k] if k < len(rows) else None
         if row is None or row not in rows[:k]:
             vertices = rim_vertices(shape, told, loop, row)
-            found.append(_line(shape, _closed(loop), "rim", (vertices, row)))
+            found.append(_line(shape, _closed(loop), "rim", vertices, row))
     return found
 
 
@@ -154,7 +154,7 @@ def _faces(shape: PartShape, told: Told) -> list[Thing]:
 
 
 def _borders(shape: PartShape, _: Told) -> list[Thing]:
-    return [_line(shape, _closed(loop), "border", (loop, None)) for loop in shape.border_loops]
+    return [_line(shape, _closed(loop), "border", loop) for loop in shape.border_loops]
 
 
 def _pieces(shape: PartShape, _: Told) -> list[Thing]:
@@ -182,8 +182,7 @@ def _cad_faces(shape: PartShape, told: Told) -> list[Thing]:
 
 def _cad_edges(shape: PartShape, _: Told) -> list[Thing]:
     return [
-        _line(shape, edge.segments, "CAD edge", (edge.segments.ravel(), None))
-        for edge in shape.cad_edges
+        _line(shape, edge.segments, "CAD edge", edge.segments.ravel()) for edge in shape.cad_edges
     ]
 
 
@@ -203,12 +202,12 @@ def _closed(loop: Ints) -> Ints:
     return found
 
 
-def _line(shape: PartShape, segments: Ints, kind: str, taken: tuple[Ints, int | None]) -> Thing:
-    """Return a line of segments; taken has its selected vertices and its feature row."""
-    middles = shape.points[segments].mean(axis=1)
-    return Thing(
-        kind, shape, np.unique(taken[0]), _spread(middles), segments=segments, feature=taken[1]
-    )
+def _line(
+    shape: PartShape, segments: Ints, kind: str, vertices: Ints, feature: int | None = None
+) -> Thing:
+    """Return a line of segments with its selected vertices and its feature row."""
+    spread = _spread(shape.points[segments].mean(axis=1))
+    return Thing(kind, shape, np.unique(vertices), spread, segments=segments, feature=feature)
 
 
 def _face(shape: PartShape, rows: Ints, kind: str, number: int | None = None) -> Thing:

@@ -3,13 +3,11 @@
 
 from __future__ import annotations
 
-import base64
-import html
-import json
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from ..base.packaged import packaged_text
+from ..base.pages import page
 from .rows import PICTURE, folder_name
 
 # Largest number of thumbnails; of more variants an even selection is shown.
@@ -18,17 +16,10 @@ _MOST_THUMBNAILS = 300
 
 def page_of(summary: dict[str, Any], out: Path) -> str:
     """Return the page as text; pictures come from the folders of the variants."""
-    text = packaged_text(__package__, "page.html")
-    runs = [run["run"] for run in summary["runs"]]
-    step = max(1, -(-len(runs) // _MOST_THUMBNAILS))
-    pictures = {run: _picture(out / folder_name(run) / PICTURE) for run in runs[::step]}
-    data = {**summary, "pictures": {run: found for run, found in pictures.items() if found}}
-    told = json.dumps(data, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
-    return text.replace("STUDY_NAME", html.escape(summary["study"])).replace("STUDY_DATA", told)
-
-
-def _picture(path: Path) -> str:
-    try:
-        return base64.b64encode(path.read_bytes()).decode("ascii")
-    except OSError:  # not requested, or missing
-        return ""
+    runs = summary["runs"]
+    pictures = {}
+    for run in runs[:: max(1, -(-len(runs) // _MOST_THUMBNAILS))]:
+        with suppress(OSError):  # not requested, or missing
+            pictures[run["run"]] = (out / folder_name(run["run"]) / PICTURE).read_bytes()
+    missing = {run["no_picture"] for run in runs if "no_picture" in run}
+    return page("study/page.html", study=summary, pictures=pictures, missing=sorted(missing))

@@ -21,7 +21,8 @@ class Row:
     """A row of the table.
 
     hash identifies its inputs. status is one of STATUSES. why is empty if it passed. files maps the
-    other files of its folder to their sizes, and is empty in folders of older versions.
+    other files of its folder to their sizes, and is empty in folders of older versions. no_picture
+    says why a picture is missing.
     """
 
     hash: str
@@ -30,6 +31,12 @@ class Row:
     why: str = ""
     measures: dict[str, float | None] = field(default_factory=dict)
     files: dict[str, int] = field(default_factory=dict, compare=False)
+    no_picture: str = ""
+
+    @property
+    def is_final(self) -> bool:
+        """Whether it needs no second try, as after an error or without its picture."""
+        return self.status != ERROR and not self.no_picture
 
     def to_json(self) -> dict[str, Any]:
         """Return the content of parameters.json."""
@@ -40,6 +47,7 @@ class Row:
             "measures": self.measures,
             "status": self.status,
             "why": self.why,
+            **({"no_picture": self.no_picture} if self.no_picture else {}),
         }
 
 
@@ -59,6 +67,7 @@ def read_row(folder: Path) -> Row | None:
             why=found["why"],
             measures=dict(found["measures"]),
             files=dict(found.get("files", {})),
+            no_picture=found.get("no_picture", ""),
         )
     except (OSError, ValueError, KeyError, TypeError):
         return None

@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Sequence
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ from typing import Any
 from ..base.errors import Fault, FileError, RecipeError
 from ..base.progress import Progress
 from ..base.words import counted
+from ..pictures import missing_tools
 from . import ranges
 from .engines.dask import dask_driver
 from .engines.driving import Hopes
@@ -147,6 +149,9 @@ class _Run:
         costs = self._costs_of(time.perf_counter() - begin)
         write_json(self._store.out, {COSTS: costs})
         told = [_sentence(self._store.out, summary, costs)]
+        without = [row.no_picture for row in self._rows.values() if row.no_picture]
+        if without:
+            told.append(f"{len(without)} variant(s) without a picture: {without[0]}")
         if aside := self._store.aside():
             what = counted(aside, "finished variant", "finished variants")
             told.append(f"{what} with other settings stay in it, under hidden names (.*.kept)")
@@ -180,13 +185,14 @@ class _Run:
             self._preprocessed = shop.preprocessed
             processes_driver(workers, hopes).drive(tasks)
         else:
-            for task in tasks:
-                self._finished(task, work(task))
+            with closing(shop):
+                for task in tasks:
+                    self._finished(task, work(task))
 
     def _take(self, run: int) -> bool:
         """Return whether a variant is finished, and store its row if so."""
         row = self._store.row(run, self.hashes[run])
-        if row is None or row.status == ERROR:
+        if row is None or row.status == ERROR or (row.no_picture and not missing_tools()):
             return False
         self._rows[run] = row
         return True

@@ -158,7 +158,7 @@ class Store:
                 if not final.is_dir():
                     continue
                 there = read_row(final)
-                is_done = there is not None and not _lost(final, there)
+                is_done = there is not None and there.is_final and not _lost(final, there)
                 if there is not None and own is not None and there.hash == own.hash and is_done:
                     return
                 _require_own(final, there)

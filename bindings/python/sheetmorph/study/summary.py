@@ -55,6 +55,7 @@ def summary_of(plan: Plan, rows: Rows) -> dict[str, Any]:
                 "measures": {name: row.measures.get(name) for name in plan.columns},
                 "status": row.status,
                 "why": row.why,
+                **({"no_picture": row.no_picture} if row.no_picture else {}),
             }
             for run, row in sorted(rows.items())
         ],

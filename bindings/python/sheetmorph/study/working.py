@@ -28,7 +28,7 @@ from ..reporting.report import as_written, make_report
 from .certifying import certificate, failures_of, judged
 from .figures import Figures, live_report
 from .measures import Measures, Scene
-from .pictures import picture_of
+from .pictures import Thumbnails
 from .plan import Plan
 from .rows import CERTIFICATE, ERROR, FAILED, FILE, PASSED, PICTURE, REFUSED, Row
 from .sampling import Values
@@ -107,6 +107,11 @@ class Workshop:
         self.preprocessed = 0
         self._bases: OrderedDict[str, _Base] = OrderedDict()
         self._watch = _Watch()
+        self._thumbnails = Thumbnails()
+
+    def close(self) -> None:
+        """End the process that draws pictures, if there is one."""
+        self._thumbnails.close()
 
     def begin(self, run: int) -> None:
         """Prepare for all variants: pre-process, write and certify the undeformed parts once.
@@ -205,9 +210,13 @@ class Workshop:
         failures = proof["failures"]
         if failures:
             _clear(folder)
-        self._write_rest(folder, proof, result)
-        status = FAILED if failures else PASSED
-        return replace(row, status=status, why="; ".join(failures), measures=measures)
+        wanted, no_picture = self.plan.study.write, ""
+        if "certificate" in wanted:
+            write_json(folder, {CERTIFICATE: proof})
+        if "pictures" in wanted:
+            no_picture = self._thumbnails.write(result, folder / PICTURE)
+        status, why = FAILED if failures else PASSED, "; ".join(failures)
+        return replace(row, status=status, why=why, measures=measures, no_picture=no_picture)
 
     def _written(
         self, base: _Base, variant: Variant, result: Result, folder: Path
@@ -231,13 +240,6 @@ class Workshop:
             if "parts" not in wanted and "decks" not in wanted:
                 place.unlink(missing_ok=True)
         return report, proof, as_written(result, parts)
-
-    def _write_rest(self, folder: Path, proof: dict[str, Any], result: Result) -> None:
-        wanted = self.plan.study.write
-        if "certificate" in wanted:
-            write_json(folder, {CERTIFICATE: proof})
-        if "pictures" in wanted:
-            (folder / PICTURE).write_bytes(picture_of(result))
 
     def _base(self, variant: Variant) -> _Base:
         if variant.key in self._bases:
