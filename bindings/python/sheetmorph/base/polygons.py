@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from ..base.arrays import Bools, Floats, Ints
+from .arrays import Bools, Floats, Ints
 
 SPLIT_IT = "split it into triangles, or into polygons that do not cross themselves"
 # Shares of the squared longest edge of a polygon: below the first an area counts as zero. Triangles
