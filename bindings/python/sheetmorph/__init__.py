@@ -18,6 +18,7 @@ from .base.errors import (
     KernelError,
     OccupiedError,
     RecipeError,
+    SheetMorphError,
     Subject,
 )
 from .base.part_mesh import PartMesh
@@ -76,6 +77,7 @@ __all__ = [
     "Result",
     "Selector",
     "Session",
+    "SheetMorphError",
     "Subject",
     "border_at",
     "borders_longer",

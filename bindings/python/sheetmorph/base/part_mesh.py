@@ -11,17 +11,19 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, Floats, Ids, Ints
+from .errors import InputError
 from .foreign_meshes import faces_of_meshio, in_space, of_vtk, to_meshio, to_pyvista, to_vtk
 from .labels import Labels
 from .polygons import triangulate
 
 
 def _of_kind(values: object, kinds: str, name: str) -> Array:
-    """Return the values as an array of the allowed numpy kinds. Raises ValueError."""
+    """Return the values as an array of the allowed numpy kinds. Raises InputError."""
     array = np.asarray(values)
     if array.size and array.dtype.kind not in kinds:
         wanted = "numbers" if "f" in kinds else "whole numbers"
-        raise ValueError(f"{name} of a part must be {wanted}, not {array.dtype}")
+        what = f"{name} of a part must be {wanted}, not {array.dtype}"
+        raise InputError(what, "convert the array")
     return array if array.size else array.astype(np.int64)
 
 
@@ -64,7 +66,7 @@ class PartMesh:
 
     Raises
     ------
-    ValueError
+    InputError
         For wrong shapes, non-finite numbers, indices out of range or duplicate ids.
     """
 
@@ -92,23 +94,27 @@ class PartMesh:
     def _check_points(self) -> None:
         points = self.points
         if points.ndim != 2 or points.shape[1] != 3:
-            raise ValueError(f"points of a part must be (n, 3), not {points.shape}")
+            what = f"points of a part must be (n, 3), not {points.shape}"
+            raise InputError(what, "give three coordinates for each vertex")
         if not np.isfinite(points).all():
             bad = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
-            raise ValueError(f"vertex {bad} has a coordinate that is not a finite number")
+            what = f"vertex {bad} has a coordinate that is not a finite number"
+            raise InputError(what, "correct it, or leave the vertex out")
 
     def _cut(self, faces: Array | list[Array]) -> Ints:
-        """Return the triangles (m, 3) int32 of faces. Raises ValueError."""
+        """Return the triangles (m, 3) int32 of faces. Raises InputError."""
         if isinstance(faces, np.ndarray):
             if faces.ndim != 2 or faces.shape[1] not in (3, 4):
-                raise ValueError(f"triangles of a part must be (m, 3), not {faces.shape}")
+                what = f"triangles of a part must be (m, 3), not {faces.shape}"
+                raise InputError(what, "give triangles, quads (m, 4), or a list of faces")
             numbers = faces.ravel()
         else:
             if any(face.ndim != 1 or len(face) < 3 for face in faces):
-                raise ValueError("a face of a part must have three or more vertices")
+                raise InputError("a face has fewer than three vertices", "leave it out")
             numbers = np.concatenate(faces)
         if numbers.size and (numbers.min() < 0 or numbers.max() >= len(self.points)):
-            raise ValueError(f"a triangle names a vertex outside 0 .. {len(self.points) - 1}")
+            what = f"a triangle names a vertex outside 0 .. {len(self.points) - 1}"
+            raise InputError(what, "count vertices from 0")
         if isinstance(faces, np.ndarray) and faces.shape[1] == 3:
             return np.ascontiguousarray(faces, dtype=np.int32)
         corners = [face[:3] if len(face) == 4 and face[2] == face[3] else face for face in faces]
@@ -116,9 +122,10 @@ class PartMesh:
 
     def _check_ids(self, ids: Ints) -> None:
         if ids.shape != (len(self.points),):
-            raise ValueError(f"ids must be one per vertex ({len(self.points)}), not {ids.shape}")
+            what = f"ids must be one per vertex ({len(self.points)}), not {ids.shape}"
+            raise InputError(what, "give an id for each vertex")
         if len(np.unique(ids)) != len(ids):
-            raise ValueError("two vertices have the same id")
+            raise InputError("two vertices have the same id", "give each its own")
 
     @classmethod
     def from_meshio(cls, mesh: Any, name: str = "") -> PartMesh:

@@ -41,7 +41,7 @@ class MeshioFile(PartFile):
         try:
             space, faces = in_space(points), faces_of_meshio(self._mesh.cells)
         except InputError as error:
-            raise FileError(path, error.what, error.todo) from None
+            raise FileError.of(path, error) from None
         super().__init__(path, _part_mesh(path, space, faces), precision)
         if path.suffix.lower() == ".mesh" and not read_bytes(path).rstrip().endswith(b"End"):
             self.missing.append("the closing End is missing: check that the file is complete")

@@ -19,6 +19,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from types import SimpleNamespace
 
+from ..base.errors import FailedError
 from ..files.atomic import FileSet
 from .scene import Scene
 
@@ -26,7 +27,7 @@ _SECONDS_TO_START = 20.0
 _SECONDS_FOR_ONE = 120.0
 
 
-class PictureError(RuntimeError):
+class PictureError(FailedError):
     """A picture that cannot be drawn on this machine, with the remedy."""
 
 
@@ -65,7 +66,7 @@ def require_tools() -> None:
     if shutil.which("Xvfb") is None:
         missing.append("xvfb")
     if missing:
-        raise PictureError(f"no picture can be drawn; install {' and '.join(missing)}")
+        raise PictureError("no picture can be drawn", f"install {' and '.join(missing)}")
 
 
 def _draw_on(screen: str, wanted: Path, count: int) -> None:
@@ -79,13 +80,12 @@ def _draw_on(screen: str, wanted: Path, count: int) -> None:
             check=False,
         )
     except subprocess.TimeoutExpired:
-        raise PictureError("the picture took too long; try a coarser mesh") from None
+        raise PictureError("the picture took too long", "try a coarser mesh") from None
     if done.returncode:
         lines = done.stderr.decode(errors="replace").strip().splitlines()
         said = lines[-1] if lines else f"status {done.returncode}"
-        raise PictureError(
-            f"VTK could not draw the picture ({said}); check that python3-vtk9 works"
-        )
+        what = f"VTK could not draw the picture ({said})"
+        raise PictureError(what, "check that python3-vtk9 works")
 
 
 @contextmanager
@@ -118,6 +118,6 @@ def _number_from(reading: int) -> int:
         ready, _, _ = select.select([reading], [], [], _SECONDS_TO_START)
         more = os.read(reading, 64) if ready else b""
         if not more:
-            raise PictureError("no virtual screen starts; check that Xvfb works")
+            raise PictureError("no virtual screen starts", "check that Xvfb works")
         told += more
     return int(told)
