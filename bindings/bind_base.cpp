@@ -34,10 +34,11 @@ py::function without_traceback(const py::function& method)
 
 void bind_errors(py::module_& module)
 {
-    py::register_exception<InvalidInput>(module, "InvalidInput", PyExc_ValueError);
-    py::register_exception<SolverError>(module, "SolverError", PyExc_RuntimeError);
+    const py::module_ errors = py::module_::import("sheetmorph.base.errors");
+    py::register_exception<InvalidInput>(module, "InvalidInput", errors.attr("InputError"));
+    py::register_exception<SolverError>(module, "SolverError", errors.attr("FailedError"));
     py::register_exception_translator(translate_errors);
-    py::register_exception<Cancelled>(module, "Cancelled", PyExc_RuntimeError);
+    py::register_exception<Cancelled>(module, "Cancelled", errors.attr("FailedError"));
     module.def(
         "without_traceback", &without_traceback, py::arg("method"),
         "A function that raises the exception that `method` returns, None for none. It comes "

@@ -25,15 +25,15 @@ const char* name_of(FaultCode code)
     return "other";
 }
 
-py::list pairs_of(const std::vector<Subject>& subjects)
+py::tuple subjects_of(const py::module_& errors, const std::vector<Subject>& subjects)
 {
-    py::list pairs;
+    py::list found;
     for (const Subject& subject : subjects)
-        pairs.append(py::make_tuple(subject.kind, subject.name));
-    return pairs;
+        found.append(errors.attr("Subject")(subject.kind, subject.name));
+    return found;
 }
 
-py::list numbered(const Fault& fault)
+py::tuple numbered(const Fault& fault)
 {
     py::list numbers;
     for (const int vertex : fault.what.vertices())
@@ -45,15 +45,15 @@ py::list numbered(const Fault& fault)
 
 void set_error(const py::handle& type, const Fault& fault)
 {
-    py::object error = type(fault.sentence());
+    const py::module_ errors = py::module_::import("sheetmorph.base.errors");
     const std::vector<Subject>& subjects = fault.what.subjects();
-    error.attr("what") = fault.what.full(fault.ids);
-    error.attr("brief") = fault.what.brief();
-    error.attr("todo") = fault.todo;
-    error.attr("code") = name_of(fault.code);
-    error.attr("where") = fault.part.empty() ? "" : "part '" + fault.part + "'";
-    error.attr("objects") = pairs_of(subjects.empty() ? fault.on : subjects);
-    error.attr("vertices") = numbered(fault);
+    const py::object found =
+        errors.attr("Fault")(fault.part.empty() ? "" : "part '" + fault.part + "'",
+                             fault.what.full(fault.ids), fault.todo, name_of(fault.code),
+                             subjects_of(errors, subjects.empty() ? fault.on : subjects),
+                             numbered(fault), fault.what.brief());
+    py::object error = type(found.attr("what"), found.attr("todo"), found.attr("where"));
+    error.attr("faults") = py::make_tuple(found);
     PyErr_SetObject(type.ptr(), error.ptr());
 }
 

@@ -11,10 +11,8 @@ namespace sheetmorph
 {
 
 //! Makes an error of the kernel the exception of that name in sheetmorph._core, for every module.
-//! InvalidInput and SolverError have their fault as attributes. what, brief (without numbers of
-//! vertices), todo, code; where: the part that stands in front; objects: pairs of kind and name,
-//! those at fault, of a part alone that part; vertices: the listed ones, as the part's file numbers
-//! them.
+//! InvalidInput and SolverError are SheetMorphErrors of the package, with one Fault. Its objects
+//! are those at fault, or the part; its vertices have the numbers of the part's file.
 void translate_errors(std::exception_ptr thrown);
 
 }  // namespace sheetmorph

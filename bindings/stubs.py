@@ -17,6 +17,8 @@ from typing import Any, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
+from sheetmorph.base.errors import FailedError, InputError
+
 """
 SIGNATURE = re.compile(r"^(?:\d+\. )?(\w+)\((.*)\) -> (.+)$", re.MULTILINE)
 NOTED = "typing.Annotated["
@@ -26,6 +28,9 @@ BARE |= {"numpy.ndarray": "NDArray[Any]", "handle": "Any", "function": "Callable
 
 def loaded(path: Path) -> ModuleType:
     """The compiled module, under the name that it has in the package."""
+    package = ModuleType("sheetmorph")  # the sources alone: the package needs what a build may lack
+    package.__path__ = [str(Path(__file__).resolve().parent / "python" / "sheetmorph")]
+    sys.modules["sheetmorph"] = package
     name = f"sheetmorph.{path.name.split('.')[0]}"
     spec = importlib.util.spec_from_file_location(name, path)
     module = importlib.util.module_from_spec(spec)

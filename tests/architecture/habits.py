@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Habits the style guide rules out, as functions from a source text to its faults."""
 import ast
+import builtins
 import re
 
 SPDX = "SPDX-License-Identifier: LGPL-2.1-or-later"
@@ -117,3 +118,32 @@ def cpp_tests_without_claim(text: str) -> list[str]:
     """GoogleTest cases that cannot fail but by accident."""
     cases = CPP_TEST.findall(text)
     return [f"{suite}.{name}" for suite, name, body in cases if not CPP_CLAIM.search(body)]
+
+
+def hidden_builtins(text: str) -> list[str]:
+    """Variables, functions and imports that hide a builtin; fields of a class hide none."""
+    tree = ast.parse(text)
+    classes = [node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)]
+    fields = {id(part) for one in classes for node in one.body for part in field_names(node)}
+    return [
+        f"line {node.lineno}: {name} hides a builtin"
+        for node in ast.walk(tree)
+        for name in made_names(node) & set(dir(builtins))
+        if id(node) not in fields
+    ]
+
+
+def field_names(node: ast.AST) -> list[ast.AST]:
+    """What names a field or a method in the body of a class."""
+    return [node, *getattr(node, "targets", []), *filter(None, [getattr(node, "target", None)])]
+
+
+def made_names(node: ast.AST) -> set[str]:
+    """The names that a node gives to something."""
+    if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+        return {node.id}
+    if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+        return {node.name}
+    if isinstance(node, (ast.Import, ast.ImportFrom)):
+        return {alias.asname or alias.name for alias in node.names}
+    return set()

@@ -2,7 +2,7 @@
 """Every source says its licence, is finished, hides no error and holds no state; tests claim."""
 import habits
 import pytest
-from source_tree import ROOT, faults_in, files
+from source_tree import PACKAGE, ROOT, WORKBENCH, faults_in, files
 
 CODE = files(".py", ".h", ".cpp", ".sh", ".FCMacro") + [
     *[path for path in files() if path.name == "CMakeLists.txt"],
@@ -43,6 +43,18 @@ def test_the_workbench_reads_no_signals_of_qt():
 def test_a_method_takes_the_values_that_its_signal_sends():
     below = files(".py", below=ROOT / "Mod" / "SheetMorph")
     assert faults_in(below, in_text(habits.wrong_slots)) == {}
+
+
+def test_no_name_hides_a_builtin():
+    code = [*files(".py", below=PACKAGE), *files(".py", below=WORKBENCH)]
+    assert faults_in(code, in_text(habits.hidden_builtins)) == {}
+
+
+def test_a_name_that_hides_a_builtin_is_noticed():
+    for text in ("open = 1\n", "def f():\n    for id in (1,):\n        pass\n", "def max(): ...\n"):
+        assert len(habits.hidden_builtins(text)) == 1
+    fields = "class A:\n    type: str = ''\n    hash = 1\n    def open(self): ...\n"
+    assert habits.hidden_builtins(fields) == []
 
 
 def test_cpp_tests_make_a_claim():

@@ -10,7 +10,7 @@ import pytest
 
 from part_samples import COFF, OBJ, OFF, PLY, STL, binary_ply, binary_stl, moved, vtk
 from sheetmorph import FileError, PartMesh, read_part
-from sheetmorph.files.polygons import triangulate
+from sheetmorph.base.polygons import triangulate
 
 
 def part_of(folder: Path, name: str, data: bytes):

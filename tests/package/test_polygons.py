@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from sheetmorph import FileError, read_part
-from sheetmorph.files.polygons import triangulate
+from sheetmorph.base.polygons import triangulate
 
 Outline = list[tuple[float, float]]
 

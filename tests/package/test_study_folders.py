@@ -91,7 +91,7 @@ def test_notes_in_a_variant_stay_and_a_study_that_would_lose_them_is_refused(stu
     run_study(study, out)
     note = out / "000001" / "thesis.txt"
     note.write_text("precious")
-    assert "0 computed" in run_study(study, out)[0]
+    assert run_study(study, out).computed == 0
     with_seed(study, 2)
     with pytest.raises(FileError, match="thesis.txt"):
         run_study(study, out)
@@ -110,8 +110,7 @@ def test_a_variant_that_lost_a_file_is_computed_again(study: Path):
     before = contents(out)
     (out / "000001" / "plate.obj").write_text("")
     (out / "000003" / "certificate.json").unlink()
-    (told,) = run_study(study, out)
-    assert "2 computed" in told
+    assert run_study(study, out).computed == 2
     assert contents(out) == before
 
 
@@ -128,10 +127,10 @@ def test_finished_variants_of_other_settings_are_kept_and_come_back(study: Path)
     run_study(study, out)
     first = contents(out)
     with_seed(study, 2)
-    told = run_study(study, out)
+    told = run_study(study, out).sentences
     assert f"{COUNT} finished variants with other settings stay" in told[1]
     with_seed(study, 1)
-    assert "0 computed" in run_study(study, out)[0]
+    assert run_study(study, out).computed == 0
     assert {name: data for name, data in contents(out).items() if name[0] != "."} == first
 
 
@@ -144,8 +143,20 @@ def test_a_summary_of_somebody_else_stays(name: str, study: Path):
         run_study(study, out)
     assert (out / name).read_text() == "precious" and not (out / "000000").exists()
     (out / name).unlink()
-    assert f"{COUNT} computed" in run_study(study, out)[0]
-    assert "0 computed" in run_study(study, out)[0]
+    assert run_study(study, out).computed == COUNT
+    assert run_study(study, out).computed == 0
+
+
+def test_a_study_gives_its_rows(study: Path):
+    rows = run_study(study, study.parent / "out")
+    table = json.loads((study.parent / "out" / "summary.json").read_text())
+    assert [row.parameters for row in rows] == [run["parameters"] for run in table["runs"]]
+    assert {row.status for row in rows} == {"passed"} and len(rows) == COUNT
+    assert repr(rows) == f"<StudyRows: {COUNT} passed>" and f"{COUNT} computed" in str(rows)
+    (name,) = rows[0].parameters
+    assert str(rows[0]) == f"{name} = {rows[0].parameters[name]:.6g}: passed"
+    some = run_study(study, study.parent / "some", Ways(runs=(1, 2)))
+    assert [row.hash for row in some] == [row.hash for row in rows[1:3]]
 
 
 def test_half_written_tables_of_a_call_that_was_killed_go_and_files_like_them_stay(study: Path):

@@ -6,7 +6,7 @@ files and recipes works without it.
 """
 
 import importlib
-from types import ModuleType
+from typing import Any
 
 from . import old_names
 from .base import version
@@ -18,6 +18,7 @@ from .base.errors import (
     KernelError,
     OccupiedError,
     RecipeError,
+    SheetMorphError,
     Subject,
 )
 from .base.part_mesh import PartMesh
@@ -76,6 +77,7 @@ __all__ = [
     "Result",
     "Selector",
     "Session",
+    "SheetMorphError",
     "Subject",
     "border_at",
     "borders_longer",
@@ -108,7 +110,6 @@ __all__ = [
     "vertices",
 ]
 
-open = open_files  # its name in scripts; not in __all__, because a star import would hide open()
 old_names.install(__name__)
 
 
@@ -117,8 +118,10 @@ def __dir__() -> list[str]:
     return sorted([*__all__, "__version__"])
 
 
-def __getattr__(name: str) -> ModuleType:
-    """Return a module under its old name, such as ``sheetmorph.errors``."""
+def __getattr__(name: str) -> Any:
+    """Return a module under its old name, such as ``sheetmorph.errors``, or open_files as open."""
+    if name == "open":  # no name of this module, because it would hide the builtin
+        return open_files
     if name in old_names.MOVED:
         return importlib.import_module(f"{__name__}.{name}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -17,6 +17,7 @@ MOVED = {
     "doctor": "starting.doctor",
     "errors": "base.errors",
     "file_unit": "base.file_unit",
+    "files.polygons": "base.polygons",
     "gaps": "measuring.gaps",
     "kernel": "base.kernel",
     "labels": "base.labels",

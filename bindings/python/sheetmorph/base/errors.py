@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class Subject(NamedTuple):
@@ -39,7 +39,8 @@ class Fault:
         Place, problem and remedy.
     code : str
         "unheld" (a piece of a part has no prescribed vertices), "overlap" (two regions share
-        vertices), "torn" (a rigid shape touches regions that move differently) or "other".
+        vertices), "torn" (a rigid shape touches regions that move differently), the kind of a
+        warning, or "other".
     objects : tuple of Subject
         The recipe entries at fault.
     vertices : tuple of int
@@ -62,58 +63,113 @@ class Fault:
 
     def in_brief(self) -> str:
         """Return the sentence without vertex numbers, for a panel."""
-        place = f"{self.where}: " if self.where else ""
-        todo = f"; {self.todo}" if self.todo else ""
-        return self._line(f"{place}{self.brief or self.what}{todo}")
+        return self._sentence(self.brief or self.what)
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the fault as an object of JSON."""
+        return {
+            **{"code": self.code, "where": self.where, "what": self.what, "todo": self.todo},
+            "objects": [subject._asdict() for subject in self.objects],
+            "vertices": list(self.vertices),
+        }
 
     def __str__(self) -> str:
-        return self._line(f"{self.where}: {self.what}; {self.todo}")
+        return self._sentence(self.what)
 
-    @staticmethod
-    def _line(text: str) -> str:
-        line = " ".join(text.split())
+    def _sentence(self, what: str) -> str:
+        place = f"{self.where}: " if self.where else ""
+        line = " ".join(f"{place}{what}{f'; {self.todo}' if self.todo else ''}".split())
         # Names can contain control characters that a terminal must not receive, and lone
         # surrogates.
         return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in line)
 
 
 class Caution(str):
-    """A warning: one sentence with the entries that it is about and the kind of warning.
+    """A warning: a sentence that carries its Fault.
 
     Parameters
     ----------
     text : str
-        The sentence.
+        The problem.
     *objects : Subject
         The recipe entries that the warning is about.
     code : str
         Kind of the warning.
+    todo : str
+        Remedy, which ends the sentence.
+    where : str
+        Place, which begins the sentence.
     """
 
-    objects: tuple[Subject, ...]
-    code: str
+    fault: Fault
 
-    def __new__(cls, text: str, *objects: Subject, code: str = OTHER) -> Caution:
-        found = super().__new__(cls, text)
-        found.objects, found.code = objects, code
+    def __new__(
+        cls, text: str, *objects: Subject, code: str = OTHER, todo: str = "", where: str = ""
+    ) -> Caution:
+        found = super().__new__(cls, ": ".join(part for part in (where, text, todo) if part))
+        found.fault = Fault(where, text, todo, code, objects)
         return found
 
+    @property
+    def objects(self) -> tuple[Subject, ...]:
+        """The recipe entries that the warning is about."""
+        return self.fault.objects
+
+    @property
+    def code(self) -> str:
+        """Kind of the warning."""
+        return self.fault.code
+
     def __getnewargs_ex__(self) -> tuple[tuple[str | Subject, ...], dict[str, str]]:
-        return (str(self), *self.objects), {"code": self.code}
+        fault = self.fault
+        named = {"code": fault.code, "todo": fault.todo, "where": fault.where}
+        return (fault.what, *fault.objects), named
 
     def after(self, lead: str) -> Caution:
         """Return a copy with a text in front of the sentence."""
-        return Caution(f"{lead}{self}", *self.objects, code=self.code)
+        fault = self.fault
+        return Caution(f"{lead}{fault.what}", *fault.objects, code=fault.code, todo=fault.todo)
+
+    def within(self, place: str) -> Caution:
+        """Return a copy with a place in front of its own; an empty one changes nothing."""
+        fault = self.fault
+        where = ": ".join(part for part in (place, fault.where) if part)
+        return Caution(fault.what, *fault.objects, code=fault.code, todo=fault.todo, where=where)
 
 
 # Further faults are counted, not listed.
 _MOST_LINES = 20
 
 
-class RecipeError(ValueError):
-    """A recipe that SheetMorph cannot run; ``faults`` lists every fault found.
+class SheetMorphError(Exception):
+    """The base of all errors of SheetMorph, with their faults.
 
-    The text has one line for each of the first 20 faults, and the number of the others.
+    The fields of the first fault (where, what, todo, code, objects, vertices) are attributes of
+    the error. The text has one line for each of the first 20 faults, and the number of the others.
+
+    Parameters
+    ----------
+    faults : sequence of Fault
+        All faults.
+    text : str, optional
+        Another text.
+    """
+
+    def __init__(self, faults: Sequence[Fault], text: str | None = None):
+        self.faults: Sequence[Fault] = list(faults)
+        lines = [str(fault) for fault in self.faults[:_MOST_LINES]]
+        more = len(self.faults) - _MOST_LINES
+        lines += [f"and {more:,} more"] if more > 0 else []
+        super().__init__("\n".join(lines) if text is None else text)
+
+    def __getattr__(self, name: str) -> Any:
+        if name in Fault.__dataclass_fields__ and self.faults:
+            return getattr(self.faults[0], name)
+        raise AttributeError(name)
+
+
+class RecipeError(SheetMorphError, ValueError):
+    """A recipe that SheetMorph cannot run; ``faults`` lists every fault found.
 
     Parameters
     ----------
@@ -121,14 +177,8 @@ class RecipeError(ValueError):
         All faults of the recipe.
     """
 
-    def __init__(self, faults: Sequence[Fault]):
-        self.faults = list(faults)
-        lines = [str(fault) for fault in self.faults[:_MOST_LINES]]
-        more = len(self.faults) - _MOST_LINES
-        super().__init__("\n".join([*lines, *([f"and {more:,} more"] if more > 0 else [])]))
 
-
-class FileError(ValueError):
+class FileError(SheetMorphError, ValueError):
     """A file that SheetMorph cannot read or write.
 
     Parameters
@@ -144,51 +194,42 @@ class FileError(ValueError):
     def __init__(self, path: str | Path, what: str, todo: str, line: int | None = None):
         self.path = Path(path)
         self.line = line
-        self.what = what
-        self.todo = todo
-        super().__init__(str(self.fault()))
+        where = str(self.path) + (f", line {line}" if line else "")
+        super().__init__([Fault(where, what, todo)])
+
+    @classmethod
+    def of(cls, path: str | Path, error: Exception, todo: str = "") -> FileError:
+        """Return an error of work on a file as an error of the file; todo is a default remedy."""
+        if isinstance(error, OSError):
+            what = f"cannot be read ({error.strerror or error})"
+            return cls(path, what, todo or "check the path and its rights")
+        inner = fault_of(error, todo, "")
+        found = cls(path, inner.what, inner.todo, getattr(error, "line", None))
+        found.faults = [replace(inner, where=found.where)]
+        return found
 
     def fault(self, where: str = "") -> Fault:
         """Return the error as a Fault; ``where`` is put before the file name."""
-        place = str(self.path) + (f", line {self.line}" if self.line else "")
-        return Fault(f"{where}, {place}" if where else place, self.what, self.todo)
+        found = self.faults[0]
+        return replace(found, where=f"{where}, {found.where}") if where else found
 
 
-class InputError(ValueError):
-    """An input that SheetMorph cannot use.
+class _OneFault(SheetMorphError):
+    """An error with one fault: problem, remedy and place."""
 
-    Parameters
-    ----------
-    what, todo : str
-        Problem and remedy.
-    """
-
-    def __init__(self, what: str, todo: str):
-        self.what, self.todo = what, todo
-        super().__init__(f"{what}; {todo}")
+    def __init__(self, what: str, todo: str = "", where: str = ""):
+        super().__init__([Fault(where, what, todo)])
 
 
-def fault_of(error: Exception, todo: str, where: str = "recipe") -> Fault:
-    """Convert an error of the kernel or of this package to a Fault.
-
-    The arguments todo and where are used if the error does not provide them.
-    """
-    if isinstance(error, RecipeError):
-        return error.faults[0]
-    if isinstance(error, FileError):
-        return error.fault()
-    return Fault(
-        getattr(error, "where", "") or where,
-        getattr(error, "what", "") or " ".join(str(error).split()),
-        getattr(error, "todo", "") or todo,
-        getattr(error, "code", OTHER),
-        tuple(Subject(*pair) for pair in getattr(error, "objects", ())),
-        tuple(getattr(error, "vertices", ())),
-        getattr(error, "brief", ""),
-    )
+class InputError(_OneFault, ValueError):
+    """An input that SheetMorph cannot use."""
 
 
-class KernelError(RuntimeError):
+class FailedError(_OneFault, RuntimeError):
+    """Work that fails although its input is valid."""
+
+
+class KernelError(FailedError):
     """The compiled kernel ``sheetmorph._core`` is missing, broken or incompatible."""
 
 
@@ -204,6 +245,20 @@ class OccupiedError(FileError):
     def __init__(self, path: str | Path):
         what = "it already exists, and SheetMorph did not write its current content"
         super().__init__(path, what, "choose another name, remove it, or add --force (force=True)")
+
+
+def fault_of(error: Exception, todo: str, where: str = "recipe") -> Fault:
+    """Convert an error to a Fault; todo and where are used if the error does not provide them."""
+    if not isinstance(error, SheetMorphError):
+        return Fault(where, " ".join(str(error).split()), todo)
+    first = error.faults[0]
+    return replace(first, where=first.where or where, todo=first.todo or todo)
+
+
+def reason_of(error: Exception) -> str:
+    """Return an error as one line, with all its faults."""
+    faults = getattr(error, "faults", None) or [fault_of(error, "", "")]
+    return "; ".join(map(str, faults))
 
 
 def list_ids(ids: Sequence[int], shown: int = 8) -> str:

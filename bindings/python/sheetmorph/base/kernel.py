@@ -18,14 +18,10 @@ def load_kernel() -> ModuleType:
         core = importlib.import_module("sheetmorph._core")
     except ImportError as error:
         reason = " ".join(str(error).split())
-        raise KernelError(
-            f"The kernel sheetmorph._core cannot be loaded ({reason}); {_TODO}."
-        ) from None
+        what = f"the kernel sheetmorph._core cannot be loaded ({reason})"
+        raise KernelError(what, _TODO) from None
     found = getattr(core, "KERNEL_API", None)
     if found != KERNEL_API:
-        text = (
-            f"The kernel sheetmorph._core has interface {found}, but this package "
-            f"needs {KERNEL_API}"
-        )
-        raise KernelError(f"{text}; {_TODO}.")
+        what = f"the kernel sheetmorph._core has interface {found}, but this package needs"
+        raise KernelError(f"{what} {KERNEL_API}", _TODO)
     return core

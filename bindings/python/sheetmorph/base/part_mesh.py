@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Sized
 from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import Any
@@ -11,16 +11,28 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, Floats, Ids, Ints
+from .errors import InputError
+from .foreign_meshes import faces_of_meshio, in_space, of_vtk, to_meshio, to_pyvista, to_vtk
 from .labels import Labels
+from .polygons import triangulate
 
 
 def _of_kind(values: object, kinds: str, name: str) -> Array:
-    """Return the values as an array of the allowed numpy kinds. Raises ValueError."""
+    """Return the values as an array of the allowed numpy kinds. Raises InputError."""
     array = np.asarray(values)
     if array.size and array.dtype.kind not in kinds:
         wanted = "numbers" if "f" in kinds else "whole numbers"
-        raise ValueError(f"{name} of a part must be {wanted}, not {array.dtype}")
+        what = f"{name} of a part must be {wanted}, not {array.dtype}"
+        raise InputError(what, "convert the array")
     return array if array.size else array.astype(np.int64)
+
+
+def _faces_of(values: object) -> Array | list[Array]:
+    """Return faces as an array (m, k), or as a list of arrays if their sizes differ."""
+    if isinstance(values, Sequence) and all(isinstance(one, Sized) for one in values):
+        if len({len(one) for one in values}) > 1:
+            return [_of_kind(one, "iu", "triangles") for one in values]
+    return _of_kind(values, "iu", "triangles")
 
 
 def _as_int64(ids: Ids) -> Ints:
@@ -41,7 +53,8 @@ class PartMesh:
     points : array (n, 3), float64
         Vertices, mm.
     triangles : array (m, 3), int32
-        Vertex indices, from 0.
+        Vertex indices, from 0. Quads (m, 4), or a list of faces with three and more corners, are
+        cut into triangles; a quad that repeats its last corner is a triangle.
     ids : array (n,), int64, optional
         Vertex ids of the file, such as node ids of a deck; by default 0 to n-1.
     name : str
@@ -53,7 +66,7 @@ class PartMesh:
 
     Raises
     ------
-    ValueError
+    InputError
         For wrong shapes, non-finite numbers, indices out of range or duplicate ids.
     """
 
@@ -66,12 +79,9 @@ class PartMesh:
 
     def __post_init__(self) -> None:
         points = np.ascontiguousarray(_of_kind(self.points, "fiu", "points"), dtype=np.float64)
-        whole = _of_kind(self.triangles, "iu", "triangles")
-        # Indices beyond int32 must fail the range check and not wrap around.
-        triangles = np.ascontiguousarray(np.clip(whole, -1, np.iinfo(np.int32).max), np.int32)
         object.__setattr__(self, "points", points)
-        object.__setattr__(self, "triangles", triangles)
-        self._check_shapes()
+        self._check_points()
+        object.__setattr__(self, "triangles", self._cut(_faces_of(self.triangles)))
         if self.ids is not None:
             ids = np.ascontiguousarray(_of_kind(self.ids, "iu", "ids"), dtype=np.int64)
             object.__setattr__(self, "ids", ids)
@@ -81,23 +91,127 @@ class PartMesh:
         kind, name = type(self).__name__, f' "{self.name}"' if self.name else ""
         return f"<{kind}{name}: {len(self.points)} vertices, {len(self.triangles)} triangles>"
 
-    def _check_shapes(self) -> None:
-        points, triangles = self.points, self.triangles
+    def _check_points(self) -> None:
+        points = self.points
         if points.ndim != 2 or points.shape[1] != 3:
-            raise ValueError(f"points of a part must be (n, 3), not {points.shape}")
-        if triangles.ndim != 2 or triangles.shape[1] != 3:
-            raise ValueError(f"triangles of a part must be (m, 3), not {triangles.shape}")
+            what = f"points of a part must be (n, 3), not {points.shape}"
+            raise InputError(what, "give three coordinates for each vertex")
         if not np.isfinite(points).all():
             bad = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
-            raise ValueError(f"vertex {bad} has a coordinate that is not a finite number")
-        if triangles.size and (triangles.min() < 0 or triangles.max() >= len(points)):
-            raise ValueError(f"a triangle names a vertex outside 0 .. {len(points) - 1}")
+            what = f"vertex {bad} has a coordinate that is not a finite number"
+            raise InputError(what, "correct it, or leave the vertex out")
+
+    def _cut(self, faces: Array | list[Array]) -> Ints:
+        """Return the triangles (m, 3) int32 of faces. Raises InputError."""
+        if isinstance(faces, np.ndarray):
+            if faces.ndim != 2 or faces.shape[1] not in (3, 4):
+                what = f"triangles of a part must be (m, 3), not {faces.shape}"
+                raise InputError(what, "give triangles, quads (m, 4), or a list of faces")
+            numbers = faces.ravel()
+        else:
+            if any(face.ndim != 1 or len(face) < 3 for face in faces):
+                raise InputError("a face has fewer than three vertices", "leave it out")
+            numbers = np.concatenate(faces)
+        if numbers.size and (numbers.min() < 0 or numbers.max() >= len(self.points)):
+            what = f"a triangle names a vertex outside 0 .. {len(self.points) - 1}"
+            raise InputError(what, "count vertices from 0")
+        if isinstance(faces, np.ndarray) and faces.shape[1] == 3:
+            return np.ascontiguousarray(faces, dtype=np.int32)
+        corners = [face[:3] if len(face) == 4 and face[2] == face[3] else face for face in faces]
+        return triangulate(self.points, corners)
 
     def _check_ids(self, ids: Ints) -> None:
         if ids.shape != (len(self.points),):
-            raise ValueError(f"ids must be one per vertex ({len(self.points)}), not {ids.shape}")
+            what = f"ids must be one per vertex ({len(self.points)}), not {ids.shape}"
+            raise InputError(what, "give an id for each vertex")
         if len(np.unique(ids)) != len(ids):
-            raise ValueError("two vertices have the same id")
+            raise InputError("two vertices have the same id", "give each its own")
+
+    @classmethod
+    def from_meshio(cls, mesh: Any, name: str = "") -> PartMesh:
+        """Return the surface of a meshio mesh.
+
+        Parameters
+        ----------
+        mesh : meshio.Mesh
+            Points (n, 2) or (n, 3), mm; triangles, quads and polygons, other cells are left out.
+        name : str
+            Name for messages.
+
+        Returns
+        -------
+        PartMesh
+            The mesh; quads and polygons are cut into triangles.
+
+        Raises
+        ------
+        InputError
+            If it has no surface, or cells with mid-side nodes.
+        """
+        return cls(in_space(mesh.points), faces_of_meshio(mesh.cells), name=name)
+
+    @classmethod
+    def from_pyvista(cls, surface: Any, name: str = "") -> PartMesh:
+        """Return a surface of pyvista or VTK.
+
+        Parameters
+        ----------
+        surface : pyvista.PolyData or vtkPolyData
+            Points (n, 3), mm; triangles, quads and polygons.
+        name : str
+            Name for messages.
+
+        Returns
+        -------
+        PartMesh
+            The mesh; quads and polygons are cut into triangles.
+
+        Raises
+        ------
+        InputError
+            If it is not a surface.
+        """
+        points, faces = of_vtk(surface)
+        return cls(points, faces, name=name)
+
+    from_vtk = from_pyvista
+
+    def to_meshio(self, points: Floats | None = None, **point_data: Array) -> Any:
+        """Return the mesh for meshio; it needs meshio.
+
+        Parameters
+        ----------
+        points : array (n, 3), optional
+            Positions, mm, such as those of a Result; by default at rest.
+        **point_data : array (n,) or (n, k)
+            Values at the vertices.
+
+        Returns
+        -------
+        meshio.Mesh
+            The triangles.
+        """
+        return to_meshio(self.points if points is None else points, self.triangles, point_data)
+
+    def to_pyvista(self, points: Floats | None = None, **point_data: Array) -> Any:
+        """Return the mesh for pyvista, as to_meshio(); it needs pyvista.
+
+        Returns
+        -------
+        pyvista.PolyData
+            The triangles.
+        """
+        return to_pyvista(self.points if points is None else points, self.triangles, point_data)
+
+    def to_vtk(self, points: Floats | None = None, **point_data: Array) -> Any:
+        """Return the mesh for VTK, as to_meshio(); it needs VTK.
+
+        Returns
+        -------
+        vtkPolyData
+            The triangles.
+        """
+        return to_vtk(self.points if points is None else points, self.triangles, point_data)
 
     def find(self, ids: Ids, prepared: bool = False) -> tuple[Ints, list[int]]:
         """Find vertices by their file ids.

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import islice
 
 _NOISE = 1e-9  # mm
 
@@ -11,6 +12,12 @@ _NOISE = 1e-9  # mm
 def counted(number: int, one: str, many: str) -> str:
     """Return a count with its noun, such as `1 vertex stands` or `2 vertices stand`."""
     return f"{number} {one if number == 1 else many}"
+
+
+def several(names: Iterable[str]) -> str:
+    """Return the first three names, such as `a, b, c, ...`."""
+    first = list(islice(names, 4))
+    return ", ".join([*first[:3], *(["..."] if len(first) > 3 else [])])
 
 
 def either(words: Sequence[str]) -> str:

@@ -19,7 +19,7 @@ from typing import IO, Any
 
 import numpy as np
 
-from ..base.errors import KernelError
+from ..base.errors import Fault, KernelError, SheetMorphError
 from ..base.kernel import load_kernel
 from ..base.progress import Progress
 
@@ -134,8 +134,7 @@ class Worker:
         if code is not None and code < 0:
             reason = signal.strsignal(-code) or f"signal {-code}"
         what = f"the CAD worker ended unexpectedly while it {doing} ({reason.lower()})"
-        fault = {"error": "InvalidInput", "message": f"{what}; {_TRY}"}
-        return _error({**fault, "what": what, "brief": what, "todo": _TRY})
+        return _error({"error": "InvalidInput", "what": what, "brief": what, "todo": _TRY})
 
 
 _LIVING: list[weakref.ref[Worker]] = []  # the oldest first
@@ -149,24 +148,18 @@ def _make_room() -> None:
     _LIVING[:] = [weakref.ref(worker) for worker in found if worker.is_alive]
 
 
-def _error(answer: dict[str, str]) -> Exception:
+def _error(answer: dict[str, str]) -> SheetMorphError:
     """Return the error in an answer, as the kernel raises it."""
     core = load_kernel()
-    kind: Any = {"InvalidInput": core.InvalidInput, "SolverError": core.SolverError}[
-        answer["error"]
-    ]
-    error = kind(answer["message"])
-    error.what, error.brief, error.todo = answer["what"], answer["brief"], answer["todo"]
-    error.code, error.where, error.objects, error.vertices = "other", "", [], []
-    raised: Exception = error
-    return raised
+    kind = {"InvalidInput": core.InvalidInput, "SolverError": core.SolverError}[answer["error"]]
+    error: SheetMorphError = kind(answer["what"], answer["todo"])
+    error.faults = [Fault("", answer["what"], answer["todo"], brief=answer["brief"])]
+    return error
 
 
 def _no_worker(reason: str) -> KernelError:
-    return KernelError(
-        f"CAD files cannot be read ({PROGRAM.name}: {reason}); build and stage it again with "
-        "./sheetmorph build."
-    )
+    what = f"CAD files cannot be read ({PROGRAM.name}: {reason})"
+    return KernelError(what, "build and stage it again with ./sheetmorph build")
 
 
 def _end(process: subprocess.Popen[bytes], owner: int) -> None:

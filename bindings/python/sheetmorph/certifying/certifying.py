@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from ..base.arrays import Floats, Ints
-from ..base.errors import FileError
+from ..base.errors import Fault, FileError, SheetMorphError
 from ..base.kernel import load_kernel
 from ..base.words import counted, folds
 from ..checking import prepare
@@ -44,13 +44,14 @@ from .page import page_of
 _DIGITS = {"float32": 6e-8, "double": 2e-16}
 
 
-class NotCertified(RuntimeError):
+class NotCertified(SheetMorphError, RuntimeError):
     """The files miss the criteria; ``certificate`` has the details."""
 
     def __init__(self, certificate: dict[str, Any]):
         failures = certificate["failures"]
         more = f" and {len(failures) - 5} more" if len(failures) > 5 else ""
-        super().__init__("not certified: " + "; ".join(failures[:5]) + more)
+        faults = [Fault("", text, "", "not certified") for text in failures]
+        super().__init__(faults, "not certified: " + "; ".join(failures[:5]) + more)
         self.certificate = certificate
 
 

@@ -50,7 +50,7 @@ def read_criteria(name: str | Path | None) -> Criteria:
         found = json.loads(plain_json(read_text(path)))
     except OSError as error:
         todo = f"name a file, or one of the sets {', '.join(sets)}"
-        raise FileError(path, f"cannot be read ({error.strerror or error})", todo) from None
+        raise FileError.of(path, error, todo) from None
     except ValueError as error:
         raise FileError(path, f"it is not JSON ({error})", "correct it") from None
     if not isinstance(found, dict):

@@ -25,9 +25,11 @@ def execute(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
             strict=wanted.strict, pictures=wanted.pictures, step=wanted.step, wide=wanted.wide,
             repair=wanted.repair, judge=judge, progress=progress, force=wanted.force,
         )  # fmt: skip
-    untried = [text for text in told if getattr(text, "code", "") == NOT_TRIED]
-    warnings = [text for text in told if text not in untried]
+    untried = [one for one in told if one.code == NOT_TRIED]
+    warnings = [one for one in told if one.code != NOT_TRIED]
     if wanted.json == STDOUT:
-        return as_json({"valid": True, "warnings": warnings, "notes": untried})
+        faults = [one.fault.to_json() for one in warnings]
+        found = {"valid": True, "warnings": warnings, "cautions": faults, "notes": untried}
+        return as_json(found)
     verdict = "; ".join([f"{wanted.recipe}: valid", *untried])
     return [*(f"warning: {text}" for text in warnings), verdict]

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import FrameType
 
-from ..base.errors import FileError, KernelError, RecipeError
+from ..base.errors import FailedError, KernelError, SheetMorphError
 from ..decks.dyna import assumed_options
 from ..files.atomic import FileSet
 from ..files.signals import stopping_signals
@@ -42,10 +42,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         complain(f"interrupted: {str(stopped) or _state(files)}")
         return _INTERRUPTED
     except Exception as error:  # This is the edge of the program: every error becomes a sentence.
-        text, status = _explain(error, _input_of(wanted), files)
-        if wanted.command == "certify" and wanted.json == STDOUT and hasattr(error, "certificate"):
-            say(as_json(error.certificate))
-        complain(text)
+        found, status = _explained(error, _input_of(wanted), files)
+        if getattr(wanted, "json", None) == STDOUT:
+            _say_json(wanted.command, found, error)
+        complain(str(found))
         return status
     finally:
         for number, handler in previous.items():
@@ -82,23 +82,30 @@ def _state(files: FileSet) -> str:
     return "all files were written" if files.committed else "no part was written"
 
 
-def _explain(error: Exception, recipe: str, files: FileSet) -> tuple[str, int]:
-    """Return the message for an error and the exit status."""
-    if isinstance(error, (RecipeError, FileError, KernelError)):
-        return str(error), BAD_INPUT
+def _say_json(command: str, found: SheetMorphError, error: Exception) -> None:
+    """Print the faults, unless a certificate or the report of a run says them."""
+    certificate = getattr(error, "certificate", None)
+    if certificate is None:
+        say(as_json({"valid": False, "faults": [fault.to_json() for fault in found.faults]}))
+    elif command == "certify":
+        say(as_json(certificate))
+
+
+def _explained(error: Exception, recipe: str, files: FileSet) -> tuple[SheetMorphError, int]:
+    """Return the faults of an error with the text to print, and the exit status."""
+    if isinstance(error, SheetMorphError):
+        if isinstance(error, (ValueError, KernelError)):
+            return error, BAD_INPUT
+        # An earlier run wrote the files of a certificate, so nothing is said about writing.
+        state = "" if hasattr(error, "certificate") else f"; {_state(files)}"
+        return SheetMorphError(error.faults, f"{recipe}: {error}{state}"), NOT_CERTIFIED
     if isinstance(error, OSError):
-        place = error.filename or recipe
-        return f"{place}: {error.strerror or error}; check the path and its rights", BAD_INPUT
+        what, todo = str(error.strerror or error), "check the path and its rights"
+        return FailedError(what, todo, error.filename or recipe), BAD_INPUT
     if isinstance(error, MemoryError):
-        return f"{recipe}: not enough memory; {_state(files)}", NOT_CERTIFIED
-    # An earlier run wrote the files, so the message says nothing about writing.
-    if getattr(error, "certificate", None) is not None:
-        return f"{recipe}: {error}", NOT_CERTIFIED
-    # The kernel's SolverError, or a certificate that failed.
-    if isinstance(error, RuntimeError) and type(error).__module__.startswith("sheetmorph"):
-        return f"{recipe}: {error}; {_state(files)}", NOT_CERTIFIED
+        return FailedError("not enough memory", _state(files), recipe), NOT_CERTIFIED
     last = traceback.extract_tb(error.__traceback__)[-1]
-    what = " ".join(f"{type(error).__name__}: {error}".split())
-    place = f"{Path(last.filename).name}, line {last.lineno}"
-    text = f"{recipe}: SheetMorph has a bug ({what}, {place}); {_state(files)}; please report"
-    return f"{text} it with this recipe", NOT_CERTIFIED
+    said = " ".join(f"{type(error).__name__}: {error}".split())
+    what = f"SheetMorph has a bug ({said}, {Path(last.filename).name}, line {last.lineno})"
+    todo = f"{_state(files)}; please report it with this recipe"
+    return FailedError(what, todo, recipe), NOT_CERTIFIED

@@ -26,4 +26,4 @@ def execute(wanted: argparse.Namespace, files: FileSet) -> list[str]:
         if wanted.range:
             return study_range(wanted.recipe, wanted.output, progress)
         ways = Ways(wanted.engine, wanted.workers, wanted.scheduler, wanted.runs, progress)
-        return run_study(wanted.recipe, wanted.output, ways)
+        return run_study(wanted.recipe, wanted.output, ways).sentences

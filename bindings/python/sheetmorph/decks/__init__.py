@@ -76,6 +76,4 @@ def read_bytes(path: Path) -> bytes:
     try:
         return path.read_bytes()
     except OSError as error:
-        reason = error.strerror or str(error)
-        todo = "check the path and its rights"
-        raise FileError(path, f"cannot be read ({reason})", todo) from None
+        raise FileError.of(path, error) from None

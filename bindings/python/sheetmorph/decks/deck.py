@@ -11,7 +11,7 @@ import numpy as np
 
 from ..base.arrays import Bools, Floats, Ints
 from ..base.blocks import CHUNK, chunks
-from ..base.errors import FileError, list_ids
+from ..base.errors import FileError, InputError, list_ids
 from .frames import Frame, FrameError, Frames
 from .model import BINARY, FIXED, PADDED, Block, Elements, Raw, table_of
 from .numbers import format_reals, last_digit, parse_real
@@ -115,10 +115,10 @@ class Deck:
         try:
             return work()
         except FrameError as error:
-            todo = "correct the coordinate system"
-            raise self.raw.error(
-                self.place_of(row), f"node {self.ids[row]}: {error}", todo
-            ) from None
+            raise self._refused(row, error) from None
+
+    def _refused(self, row: int, error: InputError) -> FileError:
+        return self.raw.error(self.place_of(row), f"node {self.ids[row]}: {error.what}", error.todo)
 
     def _locate_at_rest(self, node: int) -> Floats:
         row = self._row_of(node)
@@ -227,11 +227,8 @@ class Deck:
     def _texts(self, values: Floats, room: int, row: int) -> list[str]:
         try:
             return format_reals(values, room, self.raw.mark)
-        except ValueError as error:
-            todo = "check the motion, or use wider fields"
-            raise self.raw.error(
-                self.place_of(row), f"node {self.ids[row]}: {error}", todo
-            ) from None
+        except InputError as error:
+            raise self._refused(row, error) from None
 
     def _edits(self, file: int, values: Floats) -> Iterator[Edit]:
         """Yield the changed pieces of a file in order."""
@@ -321,7 +318,7 @@ class Deck:
             return [raw[k : k + _EIGHT] for k in range(0, len(raw), _EIGHT)]
         try:
             return [text.encode() for text in format_reals(new, block.room, self.raw.mark)]
-        except ValueError:
+        except InputError:
             for row, value in zip(rows.tolist(), new):
                 # raises for the number that does not fit
                 self._texts(np.array([value]), block.room, row)

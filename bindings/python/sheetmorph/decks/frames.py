@@ -9,16 +9,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..base.arrays import Floats
+from ..base.errors import InputError
 
 _SMALLEST = 1e-12
 Locate = Callable[[int], Floats]
 
 
-class FrameError(ValueError):
+class FrameError(InputError):
     """A coordinate system that cannot be computed; ``frame`` is its number."""
 
     def __init__(self, frame: int, what: str):
-        super().__init__(what)
+        super().__init__(what, "correct the coordinate system")
         self.frame = frame
 
 

@@ -10,6 +10,7 @@ import re
 import numpy as np
 
 from ..base.arrays import Bools, Codes, Floats, Ints
+from ..base.errors import InputError
 
 _REAL = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+))(?:[ED]([+-]?\d+)|([+-]\d+))?", re.IGNORECASE)
 # The squares of larger coordinates can overflow.
@@ -140,7 +141,8 @@ def format_real(value: float, width: int, mark: str = "") -> str:
     candidates = [fixed] if fixed is not None else []
     candidates += _with_exponent(value, width, mark)
     if not candidates:
-        raise ValueError(f"{value!r} does not fit a field of {width} characters")
+        what = f"{value!r} does not fit a field of {width} characters"
+        raise InputError(what, "check the motion, or use wider fields")
     return min(candidates, key=lambda text: (abs((parse_real(text) or 0.0) - value), len(text)))
 
 

@@ -85,7 +85,7 @@ class FileSet:
         except FileError as error:
             if error.path != temporary:
                 raise
-            raise FileError(final, error.what, error.todo, error.line) from error
+            raise FileError.of(final, error) from error
         except OSError as error:
             raise _of_target(error, [(temporary, final)]) from error
 

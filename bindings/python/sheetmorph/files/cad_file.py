@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from ..base.arrays import Floats
-from ..base.errors import FileError, fault_of
+from ..base.errors import FileError
 from ..base.labels import CadFace, Labels
 from ..base.part_mesh import PartMesh
 from ..base.progress import Progress
@@ -162,8 +162,7 @@ def _read(path: Path, meshing: Mapping[str, float], progress: Progress | None) -
     try:
         return read_model(str(path.absolute()), _sizes(meshing), progress)
     except ValueError as error:
-        fault = fault_of(error, "export it again")
-        raise FileError(path, fault.what, fault.todo) from None
+        raise FileError.of(path, error, "export it again") from None
 
 
 def _notes(model: Any) -> list[str]:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..base.arrays import Floats
-from ..base.errors import FileError, fault_of
+from ..base.errors import FileError
 from ..base.progress import Progress
 from ..cad import write_cad
 from .cad_file import CadFile
@@ -76,5 +76,4 @@ def write_model(
     try:
         return write_cad(model, arrays, str(path.absolute()), wanted, progress=progress)
     except ValueError as error:
-        fault = fault_of(error, "check the part")
-        raise FileError(path, fault.what, fault.todo) from None
+        raise FileError.of(path, error, "check the part") from None

@@ -14,10 +14,11 @@ from typing import Any
 import numpy as np
 
 from ..base.arrays import Floats
-from ..base.errors import FileError
+from ..base.errors import FileError, InputError
+from ..base.foreign_meshes import faces_of_meshio, in_space
 from ..base.part_mesh import PartMesh
 from .part_file import PartFile
-from .polygons import SPLIT_IT, triangulate
+from ..base.polygons import SPLIT_IT, triangulate
 from .text import check_points, read_bytes
 
 # Single-file formats whose coordinates meshio reads and writes without loss.
@@ -28,7 +29,6 @@ SUFFIXES = {
     ".mesh": "medit",
 }
 _VTK_CELLS = re.compile(rb"^CELL_TYPES[ \t]+(\d+)", re.MULTILINE)
-_CURVED = frozenset({"triangle6", "triangle7", "quad8", "quad9"})
 
 
 class MeshioFile(PartFile):
@@ -38,11 +38,11 @@ class MeshioFile(PartFile):
         self._mesh = _read(path)
         points = np.asarray(self._mesh.points)
         precision = "float32" if points.dtype == np.float32 else "double"
-        if points.ndim != 2 or points.shape[1] not in (2, 3):
-            raise FileError(path, "it has no points in space", "export it as VTU or PLY")
-        space = np.zeros((len(points), 3))
-        space[:, : points.shape[1]] = points
-        super().__init__(path, _part_mesh(path, space, self._mesh.cells), precision)
+        try:
+            space, faces = in_space(points), faces_of_meshio(self._mesh.cells)
+        except InputError as error:
+            raise FileError.of(path, error) from None
+        super().__init__(path, _part_mesh(path, space, faces), precision)
         if path.suffix.lower() == ".mesh" and not read_bytes(path).rstrip().endswith(b"End"):
             self.missing.append("the closing End is missing: check that the file is complete")
         self.notes.append(
@@ -109,16 +109,7 @@ def _read(path: Path) -> Any:
     return mesh
 
 
-def _part_mesh(path: Path, points: Floats, blocks: list[Any]) -> PartMesh:
-    faces: list[list[int]] = []
-    for block in blocks:
-        if block.type in _CURVED:
-            what = f"cells of type {block.type} have mid-side nodes, which are not read"
-            raise FileError(path, what, "use three- and four-node cells")
-        if block.type in ("triangle", "quad") or block.type.startswith("polygon"):
-            faces += [list(map(int, cell)) for cell in block.data]
-    if not faces:
-        raise FileError(path, "no triangles, quads or polygons were found", "export a surface mesh")
+def _part_mesh(path: Path, points: Floats, faces: list[list[int]]) -> PartMesh:
     check_points(path, points)
     numbers = [index for face in faces for index in face]
     if min(numbers) < 0 or max(numbers) >= len(points) or min(map(len, faces)) < 3:

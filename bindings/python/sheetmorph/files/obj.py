@@ -11,7 +11,7 @@ import numpy as np
 from ..base.labels import Labels
 from ..base.part_mesh import PartMesh
 from ..base.words import counted
-from .polygons import triangulate
+from ..base.polygons import triangulate
 from .text import CUT_LINE, CoordinateText, Source, TextPartFile, TOKEN, show
 
 _COMMENT_OR_JOIN = re.compile(rb"#[^\r\n]*|\\(?:\r\n|\n|\r)")

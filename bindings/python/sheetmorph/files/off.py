@@ -9,7 +9,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ..base.part_mesh import PartMesh
-from .polygons import triangulate
+from ..base.polygons import triangulate
 from .text import CUT_LINE, CoordinateText, Source, TextPartFile, TOKEN, show
 
 _LINE = re.compile(rb"[^\n]*\S[^\n]*")

@@ -41,6 +41,6 @@ def read_packed(path: Path, read: Callable[[Path], PartFile]) -> PartFile:
     try:
         file = read(place)
     except FileError as error:
-        raise FileError(path, error.what, error.todo) from error
+        raise FileError.of(path, error) from error
     file.origin, file.unpacked_in = path, folder
     return file

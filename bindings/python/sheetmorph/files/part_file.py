@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..base.arrays import Floats, Ints
+from ..base.errors import InputError
 from ..base.part_mesh import PartMesh
 from .atomic import FileSet
 
@@ -211,7 +212,8 @@ class PartFile(ABC):
     def _checked(self, positions: Floats) -> Floats:
         array = np.asarray(positions, dtype=np.float64)
         if array.shape != self.mesh.points.shape:
-            raise ValueError(f"positions must be {self.mesh.points.shape}, not {array.shape}")
+            what = f"positions must be {self.mesh.points.shape}, not {array.shape}"
+            raise InputError(what, "give a position for each vertex")
         if not np.isfinite(array).all():
-            raise ValueError("a position is not a finite number; nothing was written")
+            raise InputError("a position is not a finite number", "nothing was written")
         return array

@@ -15,7 +15,7 @@ from ..base.part_mesh import PartMesh
 from ..base.words import counted
 from .part_file import PartFile
 from .ply_header import Element, Header, check_faces, checked_elements, parse_header, scalar_dtype
-from .polygons import triangulate
+from ..base.polygons import triangulate
 from .text import (
     CUT_LINE,
     CoordinateText,

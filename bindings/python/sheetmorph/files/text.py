@@ -33,10 +33,7 @@ def read_bytes(path: Path) -> bytes:
     try:
         data = path.read_bytes()
     except OSError as error:
-        reason = error.strerror or str(error)
-        raise FileError(
-            path, f"cannot be read ({reason})", "check the path and its rights"
-        ) from None
+        raise FileError.of(path, error) from None
     if not data:
         raise FileError(path, "the file is empty", "export it again")
     return data

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..base.arrays import Floats, Ints
-from ..base.errors import FileError
+from ..base.errors import FailedError, FileError
 from ..base.kernel import load_kernel
 from ..base.part_mesh import PartMesh
 from ..base.progress import Progress
@@ -32,7 +32,7 @@ _WIDEST_ARC = 0.35  # radians in one triangle; beyond it the triangle belongs to
 _LOST = 0.05  # share of a solid's volume that its sheet may miss
 
 
-class NotFlat(RuntimeError):
+class NotFlat(FailedError):
     """A sheet that cannot be flattened, or only with more stretch than allowed."""
 
 
@@ -206,8 +206,8 @@ def _require_whole(
         raise NotFlat(
             f'"{name}" cannot be flattened: the sheet of {thickness:.4g} mm found '
             f"in it has {area:,.0f} mm2, which is {100.0 * share:.0f} % of its "
-            f"volume of {volume:,.0f} mm3; remove everything that is not sheet from "
-            "the solid, or repair steps in its skins"
+            f"volume of {volume:,.0f} mm3",
+            "remove everything that is not sheet from the solid, or repair steps in its skins",
         )
 
 
@@ -224,7 +224,7 @@ def _flat(name: str, piece: tuple[Floats, Ints], wishes: _Wishes) -> FlatPattern
         told = neutral[0], neutral[1].tolist()
         found = core.flatten(mesh, [rim.tolist() for rim in holes], told, wishes.progress)
     except core.InvalidInput as error:
-        raise NotFlat(f'"{name}": {error}') from error
+        raise NotFlat(error.what, error.todo, f'"{name}"') from error
     flat = _laid_along_x(np.array(found.positions), loops[-1])
     if found.turned:
         triangles[found.turned] = triangles[found.turned][:, ::-1]
@@ -248,13 +248,13 @@ def _require_flat(pattern: FlatPattern, found: _core.Flattening, limit: float) -
         place = at_place(pattern.rest[corners].mean(axis=0))
         what = f"{counted(number, 'triangle flips', 'triangles flip')} near {place}"
         todo = "cut it there, or leave out what is not developable"
-        raise NotFlat(f'"{pattern.name}" cannot be flattened: {what}; {todo}')
+        raise NotFlat(f'"{pattern.name}" cannot be flattened: {what}', todo)
     if most > limit:
         raise NotFlat(
             f'"{pattern.name}" cannot be flattened within {100 * limit:.2g} %: it '
             "is curved in two directions, and 1 % of it stretches by more than "
-            f"{100 * most:.2g} % (largest {100 * largest:.2g} %); allow more with "
-            "--limit, or cut it"
+            f"{100 * most:.2g} % (largest {100 * largest:.2g} %)",
+            "allow more with --limit, or cut it",
         )
 
 

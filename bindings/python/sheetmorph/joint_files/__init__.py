@@ -41,9 +41,7 @@ def read_joint_file(path: str | Path) -> JointFile:
     try:
         data = place.read_bytes()
     except OSError as error:
-        reason = error.strerror or str(error)
-        todo = "check the path and its rights"
-        raise FileError(place, f"cannot be read ({reason})", todo) from None
+        raise FileError.of(place, error) from None
     return read_joint_bytes(place, data)
 
 

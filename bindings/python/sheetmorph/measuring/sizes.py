@@ -6,7 +6,11 @@ from __future__ import annotations
 from typing import Any
 
 from ..base.arrays import Floats, Ints
+from ..base.errors import Caution, Subject
 from ..base.kernel import load_kernel
+
+NOT_RIGID = "not rigid"
+"""Code of a failure of a form feature."""
 
 
 def measured_size(positions: Floats, triangles: Ints, vertices: Ints) -> float | None:
@@ -18,10 +22,15 @@ def measured_size(positions: Floats, triangles: Ints, vertices: Ints) -> float |
     return None if shape is None else float(shape.size)
 
 
+def not_rigid(feature: str, part: str, text: str) -> Caution:
+    """Return the failure of a form feature that lost its shape or size."""
+    return Caution(text, Subject("feature", feature), code=NOT_RIGID, where=f"{feature} on {part}")
+
+
 def missed_sizes(
     features: list[dict[str, Any]], parts: list[dict[str, Any]], tol: float
-) -> list[str]:
-    """Return a sentence for every feature whose measured size differs from the requested one.
+) -> list[Caution]:
+    """Return a failure for every feature whose measured size differs from the requested one.
 
     tol is in mm; rounding by the file format is allowed in addition.
     """
@@ -29,10 +38,10 @@ def missed_sizes(
     found = []
     for entry in features:
         size, measured = entry["size"], entry["measured_size"]
-        name = f"{entry['name']} on {entry['part']}"
+        name = entry["name"], entry["part"]
         if size is not None and measured is None:
-            found.append(f"{name}: its size cannot be measured in this pose")
+            found.append(not_rigid(*name, "its size cannot be measured in this pose"))
         elif size is not None:
             if not abs(measured - size) <= 1e-9 * size + tol + rounding[entry["part"]]:
-                found.append(f"{name}: {measured:.6g} mm instead of {size:.6g} mm")
+                found.append(not_rigid(*name, f"{measured:.6g} mm instead of {size:.6g} mm"))
     return found

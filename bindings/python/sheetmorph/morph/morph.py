@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 from ..base.errors import Fault, RecipeError
-from ..base.words import counted
+from ..base.part_mesh import PartMesh
+from ..base.words import counted, several
 from ..checking import check_entries, check_pose, check_with_meshes
 from ..files import unpacked_name
 from ..files.atomic import FileSet
@@ -39,15 +40,15 @@ _SECTIONS = {
 }
 
 
-def open_files(*files: str | os.PathLike[str], **keys: Any) -> Morph:
-    """Open mesh, deck or CAD files as a morph.
+def open_files(*files: str | os.PathLike[str] | PartMesh, **keys: Any) -> Morph:
+    """Open mesh, deck or CAD files, or meshes in memory, as a morph.
 
     Parameters
     ----------
-    *files : str or path
-        The files of the parts.
+    *files : str, path or PartMesh
+        The files or meshes of the parts.
     **keys
-        Keys for every part, as in a recipe: mesh, thin, weld and others.
+        Keys for every file, as in a recipe: mesh, thin, weld and others.
 
     Returns
     -------
@@ -59,7 +60,9 @@ def open_files(*files: str | os.PathLike[str], **keys: Any) -> Morph:
     RecipeError
         If a file cannot be read.
     """
-    return Morph([{"file": os.fspath(file), **keys} for file in files])
+    return Morph(
+        [one if isinstance(one, PartMesh) else {"file": os.fspath(one), **keys} for one in files]
+    )
 
 
 class Morph:
@@ -71,8 +74,8 @@ class Morph:
 
     Parameters
     ----------
-    parts : sequence of dict
-        Part entries, as in a recipe.
+    parts : sequence of dict or PartMesh
+        Part entries, as in a recipe, or meshes in memory.
 
     Raises
     ------
@@ -80,12 +83,18 @@ class Morph:
         If a file cannot be read.
     """
 
-    def __init__(self, parts: Sequence[dict[str, Any]]):
-        named = [part if part.get("split") else {"name": _stem(part), **part} for part in parts]
-        self.recipe: dict[str, Any] = {"sheetmorph": 1, "parts": named}
+    def __init__(self, parts: Sequence[dict[str, Any] | PartMesh]):
+        meshes = [part for part in parts if isinstance(part, PartMesh)]
+        files = [part for part in parts if not isinstance(part, PartMesh)]
+        named = [part if part.get("split") else {"name": _stem(part), **part} for part in files]
         self._read: Parts = read_parts(model_of({"parts": named}).parts, ".")
         if self._read.faults:
             raise RecipeError(self._read.faults)
+        self._in_memory = [mesh.name or f"part{k}" for k, mesh in enumerate(meshes, start=1)]
+        inside = [{"name": name} for name in self._in_memory]
+        self.recipe: dict[str, Any] = {"sheetmorph": 1, "parts": [*named, *inside]}
+        self._read.entries += model_of({"parts": inside}).parts
+        self._read.meshes |= dict(zip(self._in_memory, meshes))
         if len(self.parts) > 1:
             self.recipe["primary"] = self.parts[0]
         self._session: Session | None = None
@@ -166,7 +175,8 @@ class Morph:
         Raises
         ------
         RecipeError
-            If the part is missing, or find() already searches for features.
+            If the part is missing, if the entry has faults that do not need a search, or if
+            find() already searches for features.
         """
         return self._add("features", {**self._region(where, part), **keys})
 
@@ -190,7 +200,8 @@ class Morph:
         Raises
         ------
         RecipeError
-            If a part is missing, or find() already searches for contacts.
+            If a part is missing, if the entry has faults that do not need a search, or if find()
+            already searches for contacts.
         """
         sides = {key: self._region(where, part) for key, (part, where) in (("a", a), ("b", b))}
         return self._add("contacts", {"type": type, **sides, **keys})
@@ -223,7 +234,8 @@ class Morph:
         translation : sequence of float, optional
             Translation (3,), mm.
         **keys
-            rotation as in a recipe, or axis (3,) and degrees; further keys of the pose entry.
+            rotation as in a recipe, or axis (3,) and degrees (or angle, as in the FreeCAD api);
+            further keys of the pose entry.
 
         Returns
         -------
@@ -235,6 +247,8 @@ class Morph:
         RecipeError
             If a value does not have its form, or if no handle has this name.
         """
+        if "angle" in keys:
+            keys["degrees"] = keys.pop("angle")
         if "axis" in keys or "degrees" in keys:
             keys["rotation"] = {
                 "axis": keys.pop("axis", None),
@@ -334,6 +348,10 @@ class Morph:
         """
         return run(self._seen_from(None), Path(folder), force=force)
 
+    # The names that the FreeCAD api has for the same acts.
+    add_fixed, add_handle, add_feature, add_contact = fix, handle, feature, contact
+    set_motion, export_recipe, write_parts = move, save, write
+
     def _region(self, where: Region, part: str | None) -> dict[str, Any]:
         if part is None and len(self.parts) != 1:
             names = ", ".join(f'"{name}"' for name in self.parts)
@@ -359,8 +377,7 @@ class Morph:
             raise RecipeError([Fault(section, what, todo)])
         meshes = self._read.meshes
         grown = {**self.recipe, section: [*(entries or []), plain(entry, meshes)]}
-        if section in ("fixed", "handles"):
-            check_entries(grown, section, meshes)
+        check_entries(grown, section, meshes)
         self.recipe[section] = grown[section]
         return self._changed()
 
@@ -370,6 +387,10 @@ class Morph:
 
     def _seen_from(self, folder: Path | None) -> dict[str, Any]:
         """Return the recipe with paths relative to a folder, or absolute if it is None."""
+        if self._in_memory:
+            what = f"the parts {several(self._in_memory)} are in memory"
+            todo = "take the positions from deform(), or write the meshes to files and open these"
+            raise RecipeError([Fault("parts", what, todo)])
         parts = []
         for part in self.recipe["parts"]:
             path = Path(part["file"]).resolve()
@@ -385,8 +406,7 @@ class Morph:
                 told.append(counted(len(entries), one, many))
             elif entries:
                 told.append(f"{many} found")
-        names = ", ".join(self.parts[:3]) + (", ..." if len(self.parts) > 3 else "")
-        return f"<Morph of {names}: {', '.join(told) or 'nothing marked'}>"
+        return f"<Morph of {several(self.parts)}: {', '.join(told) or 'nothing marked'}>"
 
     def _repr_html_(self) -> str:
         """Return a picture for notebooks: the recipe, or the parts in their pose after deform()."""

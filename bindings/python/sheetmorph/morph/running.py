@@ -13,7 +13,7 @@ from typing import Any
 
 
 from ..base.arrays import Floats
-from ..base.errors import Caution, Fault, KernelError, RecipeError
+from ..base.errors import Caution, Fault, KernelError, RecipeError, SheetMorphError
 from ..base.old_keyword import old_keyword
 from ..base.progress import Progress
 from ..certifying.repair import criteria_of, repaired
@@ -27,8 +27,7 @@ from ..pictures import Scene, before_and_after, draw
 from ..recipe.parts import Source
 from ..recipe.reading import given, named_in, read_json
 from ..recipe.steps import with_step
-from ..reporting.cautions import unsettled
-from ..reporting.report import FilesTold, WrittenPart, make_report, shape_faults
+from ..reporting.report import NOT_RIGID, FilesTold, WrittenPart, make_report
 from ..reporting.shapes import WrittenShapes
 from .session import Result, Session
 
@@ -37,7 +36,7 @@ from .session import Result, Session
 NOT_TRIED = "not tried out"
 
 
-class CertificateError(RuntimeError):
+class CertificateError(SheetMorphError, RuntimeError):
     """The result of a run fails its certificate; ``report`` has the details.
 
     A form feature lost its shape, a solve did not converge, a CAD shape cannot follow its mesh, or
@@ -50,15 +49,14 @@ class CertificateError(RuntimeError):
     """
 
     def __init__(self, report: dict[str, Any]):
-        failed = [*unsettled(report["parts"]), *shape_faults(report["parts"])]
-        beside = [*report["decks"], *report["joint_files"]]
-        failed += [text for file in beside for text in file["failures"]]
-        rigid = [text for text in report["certificate"]["failures"] if text not in failed]
-        if rigid:
-            tol = report["tolerance"]
-            failed.append(f"form features are not rigid to {tol:.3g} mm: {'; '.join(rigid)}")
-        warned = [] if failed else report["warnings"]
-        super().__init__("; ".join([*failed, *warned]))
+        failures = report["certificate"]["failures"]
+        failed = [one for one in failures if one.code != NOT_RIGID]
+        if rigid := [one for one in failures if one.code == NOT_RIGID]:
+            what = f"form features are not rigid to {report['tolerance']:.3g} mm"
+            subjects = (subject for one in rigid for subject in one.objects)
+            failed.append(Caution(what, *subjects, code=NOT_RIGID, todo="; ".join(rigid)))
+        told = failed or report["warnings"]
+        super().__init__([one.fault for one in told], "; ".join(told))
         self.report = report
 
 
@@ -77,7 +75,7 @@ def check(
     judge: Callable[[Path], object] | None = None,
     progress: Progress | None = None,
     force: bool = False,
-) -> list[str]:
+) -> list[Caution]:
     """Run a recipe with each of its poses into a temporary folder, to check it.
 
     Parameters
@@ -95,7 +93,7 @@ def check(
 
     Returns
     -------
-    list of str
+    list of Caution
         Warnings of the run, and a sentence for everything that could not be checked.
 
     Raises
@@ -103,7 +101,7 @@ def check(
     RecipeError, FileError, CertificateError, PictureError, OSError
         As run() raises them.
     """
-    found: list[str] = []
+    found: list[Caution] = []
     ways = Ways(strict, progress or _keep_going, pictures, step, repair)
     try:
         with tempfile.TemporaryDirectory(prefix="sheetmorph-check-") as scratch:
@@ -116,18 +114,18 @@ def check(
             named = {"": wanted, **({} if pose is not None else morph.recipe.get("poses", {}))}
             for name, one in named.items():
                 with named_in(read[0] if read else morph.path):
-                    found += _tried(morph, one, folder, f'pose "{name}": ' if name else "")
+                    found += _tried(morph, one, folder, f'pose "{name}"' if name else "")
                 if judge is not None:
                     judge(folder)
     except KernelError as error:
-        found.append(Caution(f"not tried out: {error}", code=NOT_TRIED))
+        found.append(Caution(error.what, code=NOT_TRIED, todo=error.todo, where="not tried out"))
     return found
 
 
-def _tried(morph: _Morph, pose: dict[str, Any] | None, folder: Path, lead: str) -> list[str]:
-    """Write a pose to a temporary folder and return its warnings, each with a prefix."""
+def _tried(morph: _Morph, pose: dict[str, Any] | None, folder: Path, place: str) -> list[Caution]:
+    """Write a pose to a temporary folder and return its warnings, each with a place in front."""
     report = morph.write(pose, morph.places([], folder, None), FileSet())
-    return [warning.after(lead) for warning in report["warnings"]]
+    return [warning.within(place) for warning in report["warnings"]]
 
 
 @old_keyword("recipe_path", "recipe")

@@ -11,6 +11,7 @@ import numpy as np
 from ..base.arrays import Floats, Ints
 from ..base.errors import Caution
 from ..base.progress import Progress
+from ..base.words import several
 from ..checking import check_pose
 from ..pictures import scene_of_answer
 from ..pictures.notebook import picture_html
@@ -48,10 +49,9 @@ class Result(Answer):
 
     def __repr__(self) -> str:
         moved = max(
-            float(np.linalg.norm(positions - self.session.meshes[name].points, axis=1).max())
-            for name, positions in self.positions.items()
+            float(np.linalg.norm(shifts, axis=1).max()) for shifts in self.displacements.values()
         )
-        return f"<Result of {', '.join(self.positions)}: moved by up to {moved:.4g} mm>"
+        return f"<Result of {several(self.positions)}: moved by up to {moved:.4g} mm>"
 
     def _repr_html_(self) -> str:
         """Return a picture for notebooks, with the parts coloured by displacement."""
@@ -129,7 +129,7 @@ class Session(Preprocessed):
     """
 
     def __repr__(self) -> str:
-        return f"<Session of {', '.join(self.parts)}: primary {self.model.primary}>"
+        return f"<Session of {several(self.parts)}: primary {self.model.primary}>"
 
     def deform(
         self,

@@ -20,6 +20,7 @@ from contextlib import suppress
 from pathlib import Path
 from types import SimpleNamespace
 
+from ..base.errors import FailedError
 from ..files.atomic import FileSet
 from .scene import Scene
 
@@ -27,7 +28,7 @@ _SECONDS_FOR_ONE = 120.0
 _BLOCK = 1 << 16
 
 
-class PictureError(RuntimeError):
+class PictureError(FailedError):
     """A picture that cannot be drawn on this machine, with the remedy."""
 
 
@@ -60,7 +61,7 @@ class Painter:
 
     def __init__(self) -> None:
         if missing := missing_tools():
-            raise PictureError(f"no picture can be drawn; install {' and '.join(missing)}")
+            raise PictureError("no picture can be drawn", f"install {' and '.join(missing)}")
         self._said = tempfile.TemporaryFile()
         try:
             self.process = subprocess.Popen(
@@ -71,7 +72,9 @@ class Painter:
                 stderr=self._said,
             )
         except OSError as error:
-            raise PictureError(f"no picture can be drawn ({error})") from None
+            raise PictureError(
+                "no picture can be drawn", f"check that Python starts programs ({error})"
+            ) from None
 
     def __enter__(self) -> Painter:
         return self
@@ -105,11 +108,11 @@ class Painter:
             left = max(0.0, deadline - time.monotonic())
             if not select.select([self.process.stdout], [], [], left)[0]:
                 self.process.kill()
-                raise PictureError("the picture took too long; try a coarser mesh")
+                raise PictureError("the picture took too long", "try a coarser mesh")
             more = os.read(self.process.stdout.fileno(), min(_BLOCK, count - len(found)))
             if not more:
                 what = f"VTK could not draw the picture ({self._reason()})"
-                raise PictureError(f"{what}; check that python3-vtk9 works")
+                raise PictureError(what, "check that python3-vtk9 works")
             found += more
         return bytes(found)
 

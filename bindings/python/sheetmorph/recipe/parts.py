@@ -210,7 +210,7 @@ def parts_of_meshes(entries: list[PartEntry], meshes: Mapping[str, PartMesh]) ->
 def _fault(entry: PartEntry, error: FileError | SplitError) -> Fault:
     if isinstance(error, FileError):
         return error.fault(f"{entry.where}.file").about(entry.subject)
-    return Fault(f"{entry.where}.split", str(error), error.todo).about(entry.subject)
+    return Fault(f"{entry.where}.split", error.what, error.todo).about(entry.subject)
 
 
 def _clashes(entries: list[PartEntry], stems: Mapping[str, str]) -> list[Fault]:

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..base.arrays import Ints
-from ..base.errors import list_ids
+from ..base.errors import InputError, list_ids
 from ..base.part_mesh import PartMesh
 from ..files import PartFile
 from ..files.deck_file import DeckFile
@@ -18,12 +18,8 @@ from ..files.deck_file import DeckFile
 _MOST = 500
 
 
-class SplitError(ValueError):
-    """A file that cannot be split as the recipe requires; ``todo`` is the remedy."""
-
-    def __init__(self, what: str, todo: str):
-        super().__init__(what)
-        self.todo = todo
+class SplitError(InputError):
+    """A file that cannot be split as the recipe requires."""
 
 
 def split_triangles(file: PartFile, way: str) -> dict[str, Ints]:

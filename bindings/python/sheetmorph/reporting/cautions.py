@@ -20,6 +20,8 @@ from .regions import region_remarks
 from .thin_solids import crossed_anew
 
 UNREACHED, OPEN_CONTACT, FLIPPED = "unreached", "open contact", "flipped"
+# Code, problem and remedy.
+_Shape = tuple[str, str, str]
 
 # Limits for the gap change of a contact: a share of the gap at rest and a share of the region size.
 # A gap below the last share of the region size counts as zero.
@@ -51,9 +53,12 @@ def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[Caution]:
 def unsettled(parts: list[dict[str, Any]]) -> list[Caution]:
     """Return a warning for every part entry of a report whose solve did not converge."""
     return [
-        _of_part(
-            part["name"],
-            f'"{part["name"]}": {part["unsettled"]}; move its handles less, or use a finer mesh',
+        Caution(
+            part["unsettled"],
+            Subject("part", part["name"]),
+            code="unsettled",
+            todo="move its handles less, or use a finer mesh",
+            where=f'"{part["name"]}"',
         )
         for part in parts
         if part["unsettled"] is not None
@@ -81,10 +86,10 @@ def open_contacts(result: Answer) -> dict[str, Caution]:
             where = "" if contact.place is None else f" at {at_place(contact.place)}"
             found[contact.name] = Caution(
                 f'the gap of "{contact.name}" changes by {contact.gap_change:.2g} '
-                f"mm{where} (allowed {limit:.2g} mm, {of_what}): "
-                f"{_todo(contact, result.session.model)}",
+                f"mm{where} (allowed {limit:.2g} mm, {of_what})",
                 Subject("contact", contact.name),
                 code=OPEN_CONTACT,
+                todo=_todo(contact, result.session.model),
             )
     return found
 
@@ -123,15 +128,13 @@ def _loose(session: Preprocessed) -> Iterator[Caution]:
         where = at_place(session.loose_places[part])
         number = counted(pieces, "piece", "pieces")
         what = f'{number} of "{part}" ({vertices} vertices, one at {where}) '
-        if session.model.unheld == "along":
-            text = what + "are unconstrained and move along with the nearest constrained place"
-        else:
-            text = (
-                what + "are unconstrained and stay at rest: mark a fixed region or a handle "
-                'on them, split them into parts ("split": true) and add contacts, or '
-                'set "unheld" to "along"'
+        does, todo = "move along with the nearest constrained place", ""
+        if session.model.unheld != "along":
+            does, todo = "stay at rest", (
+                "mark a fixed region or a handle on them, split them into parts "
+                '("split": true) and add contacts, or set "unheld" to "along"'
             )
-        yield _of_part(part, text)
+        yield _of_part(part, "loose", f"{what}are unconstrained and {does}", todo)
 
 
 def _unheld_primary(session: Preprocessed) -> Iterator[Caution]:
@@ -142,10 +145,11 @@ def _unheld_primary(session: Preprocessed) -> Iterator[Caution]:
         names = ", ".join(f'"{name}"' for name in sorted(others))
         yield _of_part(
             primary,
+            "unheld primary",
             f'the primary part "{primary}" has no fixed region: it moves as one '
-            f"rigid piece, and the fixed regions on {names} stretch the parts "
-            'between; set the propagation to "whole", which solves all parts at '
-            "once, or mark a fixed region on the primary part too",
+            f"rigid piece, and the fixed regions on {names} stretch the parts between",
+            'set the propagation to "whole", which solves all parts at once, or mark a fixed '
+            "region on the primary part too",
         )
 
 
@@ -156,8 +160,9 @@ def _lost_decks(session: Preprocessed) -> Iterator[Caution]:
         if is_deck(unpacked_name(file)):
             yield _of_part(
                 part.name,
+                "lost deck",
                 f'the deck "{file}" is written as OBJ, because "scale", "weld" or '
-                '"remesh" makes a new mesh without elements, joints and includes; '
+                '"remesh" makes a new mesh without elements, joints and includes',
                 f'remove these keys from "{part.where}" to write a deck',
             )
 
@@ -167,6 +172,7 @@ def _unrepaired(result: Answer) -> Iterator[Caution]:
         if one["failing_after"]:
             yield _of_part(
                 one["part"],
+                "unrepaired",
                 f"{counted(one['failing_after'], 'element', 'elements')} of "
                 f'"{one["part"]}" still fail the criteria {one["criteria"]} after '
                 f"repair ({one['failing_before']} before): the repair does not move "
@@ -179,10 +185,11 @@ def _unreached(session: Preprocessed) -> Iterator[Caution]:
     for part in session.unreached:
         if part not in held:
             yield Caution(
-                f'no motion reaches "{part}", so it stays at rest: join it to the '
-                "others with a contact, mark a fixed region on it, or leave it out",
+                f'no motion reaches "{part}", so it stays at rest',
                 Subject("part", part),
                 code=UNREACHED,
+                todo="join it to the others with a contact, mark a fixed region on it, or leave "
+                "it out",
             )
 
 
@@ -195,49 +202,47 @@ def _thinned(parts: list[dict[str, Any]]) -> Iterator[Caution]:
             place = ", ".join(f"{x:.4g}" for x in worst["place"])
             yield _of_part(
                 entry["name"],
+                "thinned",
                 f'the thickness of "{entry["name"]}" changes by {100.0 * change:.0f} % '
-                f"at ({place}), from {worst['rest']:.3g} to {worst['deformed']:.3g} mm: "
-                "move less, mesh it finer there, or mark small details there as a form "
-                "feature",
+                f"at ({place}), from {worst['rest']:.3g} to {worst['deformed']:.3g} mm",
+                "move less, mesh it finer there, or mark small details there as a form feature",
             )
 
 
 def _misshapen(result: Answer, entry: dict[str, Any]) -> Iterator[Caution]:
     """Warn about the mesh of a part in this pose; entry is its part entry in the report."""
-    if entry["quality"]["flipped"]:
-        yield Caution(_flips(entry), Subject("part", entry["name"]), code=FLIPPED)
-    for text in _misshapes(result, entry):
-        yield _of_part(entry["name"], text)
+    for shape in _misshapes(result, entry):
+        yield _of_part(entry["name"], *shape)
 
 
-def _of_part(name: str, text: str) -> Caution:
-    return Caution(text, Subject("part", name))
+def _of_part(name: str, code: str, text: str, todo: str = "") -> Caution:
+    return Caution(text, Subject("part", name), code=code, todo=todo)
 
 
-def _flips(entry: dict[str, Any]) -> str:
-    quality, where = entry["quality"], f' of "{entry["name"]}"'
-    return (
-        f"{folds(quality['flipped'], where)} onto a neighbour in this pose, at "
-        f"{at_place(quality['flipped_place'])}: remesh it, mark slivers as a "
-        "form feature, or turn it less"
-    )
-
-
-def _misshapes(result: Answer, entry: dict[str, Any]) -> Iterator[str]:
+def _misshapes(result: Answer, entry: dict[str, Any]) -> Iterator[_Shape]:
     name, quality = entry["name"], entry["quality"]
+    if quality["flipped"]:
+        where = f' of "{name}"'
+        yield (
+            FLIPPED,
+            f"{folds(quality['flipped'], where)} onto a neighbour in this pose, at "
+            f"{at_place(quality['flipped_place'])}",
+            "remesh it, mark slivers as a form feature, or turn it less",
+        )
     yield from _squeezed(name, quality)
     yield from _crossing(result, name)
     tear = result.session.cuts(name).tear(result.positions[name])
     if tear is not None:
         yield (
+            "cut",
             f'"{name}" is cut: {counted(tear.vertices, "vertex", "vertices")} '
             f"separate from others at the same place, by up to {tear.width:.3g} mm "
-            f'at {at_place(tear.place)}; nothing joins the two sides: set "weld" to '
-            "merge them"
+            f"at {at_place(tear.place)}; nothing joins the two sides",
+            'set "weld" to merge them',
         )
 
 
-def _crossing(result: Answer, name: str) -> Iterator[str]:
+def _crossing(result: Answer, name: str) -> Iterator[_Shape]:
     triangles, places = result.session.meshes[name].triangles, result.positions[name]
 
     def where(pairs: Ints) -> str:
@@ -247,35 +252,43 @@ def _crossing(result: Answer, name: str) -> Iterator[str]:
     found, drawn = crossed_anew(result, name), result.session.rest_crossings(name)
     if len(found):
         yield (
-            f'"{name}" penetrates itself in this pose, at {where(found)}: turn it '
-            "less, or remesh it with shorter edges"
+            "penetrates itself",
+            f'"{name}" penetrates itself in this pose, at {where(found)}',
+            "turn it less, or remesh it with shorter edges",
         )
     if len(drawn) and any(part.name == name and part.thin for part in result.session.model.parts):
         yield (
+            "penetrates itself at rest",
             f'"{name}" penetrates itself at rest, at {where(drawn)}: it bends there '
-            "as one surface, without a valid thickness; separate it in CAD"
+            "as one surface, without a valid thickness",
+            "separate it in CAD",
         )
 
 
-def _squeezed(name: str, quality: dict[str, Any]) -> Iterator[str]:
+def _squeezed(name: str, quality: dict[str, Any]) -> Iterator[_Shape]:
     worst, shortest = quality["worst_edge"], quality["shortest_edge"]
     if quality["collapsed_edges"]:
         yield (
+            "collapsed",
             f'{counted(quality["collapsed_edges"], "edge", "edges")} of "{name}" '
             f"{('collapses', 'collapse')[quality['collapsed_edges'] > 1]} to less than a tenth of "
             f"the length, from {shortest['before']:.3g} to {shortest['after']:.3g} mm at "
-            f"{at_place(shortest['place'])}: move less, or remesh it"
+            f"{at_place(shortest['place'])}",
+            "move less, or remesh it",
         )
     elif quality["crushed_place"]:
         yield (
+            "crushed",
             f'a triangle of "{name}" loses its height in this pose, at '
-            f"{at_place(quality['crushed_place'])}: move less, or remesh it"
+            f"{at_place(quality['crushed_place'])}",
+            "move less, or remesh it",
         )
     is_told = quality["collapsed_edges"] and worst == shortest
     if worst is not None and quality["worst_strain"] > _STRAIN and not is_told:
         yield (
+            "stretched",
             f'an edge of "{name}", {worst["before"]:.3g} mm long, changes its '
             f"length by {100.0 * quality['worst_strain']:.0f} % at "
-            f"{at_place(worst['place'])} in this pose: move less, remesh it, or "
-            "mark small details there as a form feature"
+            f"{at_place(worst['place'])} in this pose",
+            "move less, remesh it, or mark small details there as a form feature",
         )

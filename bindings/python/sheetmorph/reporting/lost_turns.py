@@ -70,9 +70,10 @@ def _lost_on(result: Answer, part: str, turns: dict[str, _Turn]) -> Iterator[Cau
                 f'{counted(lost, "whole turn", "whole turns")} of the handle "{name}" '
                 f"({math.degrees(turn.angle):.0f} degrees) "
                 f'{"is" if lost == 1 else "are"} lost: the triangles of "{part}" '
-                "between it and the constraints of the part are too coarse to follow; "
-                "remesh the part more finely, or turn the handle less",
+                "between it and the constraints of the part are too coarse to follow",
                 Subject("handle", name),
+                code="lost turn",
+                todo="remesh the part more finely, or turn the handle less",
             )
 
 

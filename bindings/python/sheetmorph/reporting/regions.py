@@ -24,7 +24,7 @@ def region_remarks(session: Preprocessed) -> Iterator[Caution]:
     """Warn about selectors that selected a whole part or something far away."""
     for region in session.model.all_regions:
         for remark in session.model.told.get(region.where, {}).get("remarks", ()):
-            yield Caution(f'"{region.name}" on "{region.part}": {remark}', region.subject)
+            yield Caution(remark, region.subject, where=f'"{region.name}" on "{region.part}"')
 
 
 def _entry(session: Preprocessed, region: RegionEntry) -> dict[str, Any]:

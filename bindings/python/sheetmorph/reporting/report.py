@@ -13,11 +13,11 @@ from typing import Any, TypeVar
 import numpy as np
 
 from ..base.arrays import Floats, Ints
-from ..base.errors import Caution
+from ..base.errors import Caution, Subject
 from ..base.packaged import packaged_json
 from ..base.part_mesh import PartMesh
 from ..measuring.rigidity import best_turn, edge_error, tolerance
-from ..measuring.sizes import measured_size, missed_sizes
+from ..measuring.sizes import NOT_RIGID, measured_size, missed_sizes, not_rigid
 from ..measuring.strain import Edge, crushed
 from ..recipe.feature_entries import SymmetryEntry
 from ..recipe.pose import entries_of
@@ -33,6 +33,10 @@ from .thin_solids import crossed, thickness_in_file, thin_failures, thin_report
 
 
 Shown = TypeVar("Shown", bound=Answer)
+
+__all__ = ["BESIDE", "NOT_RIGID", "make_report", "report_schema"]
+BESIDE = "beside"
+"""Code of failures of decks and joint files."""
 
 
 @dataclass(frozen=True)
@@ -60,6 +64,14 @@ class FilesTold:
     def texts(self, key: str) -> list[str]:
         """Return the `failures` or `notes` of all files."""
         return [text for file in (*self.decks, *self.joint_files) for text in file[key]]
+
+    def failures(self) -> list[Caution]:
+        """Return the failures of all files."""
+        return [Caution(text, code=BESIDE) for text in self.texts("failures")]
+
+    def warnings(self) -> list[Caution]:
+        """Return a warning for each skipped content."""
+        return [Caution(text, code="missing") for text in self.missing]
 
 
 def report_schema() -> dict[str, Any]:
@@ -89,10 +101,10 @@ def make_report(
         part_report(stored, name, files.get(name), is_brief) | _told_of_file(result, name, files)
         for name in session.parts
     ]
-    warnings = [*map(Caution, beside.missing), *warnings_of(stored, parts)]
+    warnings = [*beside.warnings(), *warnings_of(stored, parts)]
     failures = [*_torn(features, tol), *missed_sizes(features, parts, tol)]
-    failures += [*thin_failures(result, tol), *unsettled(parts), *shape_faults(parts)]
-    failures += beside.texts("failures")
+    failures += [*thin_failures(result, tol), *unsettled(parts), *_shape_faults(parts)]
+    failures += beside.failures()
     return {
         "sheetmorph_report": 1,
         "versions": _versions(session.core),
@@ -108,6 +120,7 @@ def make_report(
         **{"parts": parts, "repairs": result.repairs},
         **{"order": session.order, "levels": session.levels, "unreached": session.unreached},
         **{"notes": [*_notes(session, parts, beside), *warnings], "warnings": warnings},
+        "cautions": [warning.fault.to_json() for warning in warnings],
         "timings": {**session.timings, **(timings or {})},
         **({} if session.model.found is None else {"found": session.model.found}),
     }
@@ -131,10 +144,10 @@ def as_written(result: Shown, files: Mapping[str, WrittenPart]) -> Shown:
     return replace(result, positions={**result.positions, **stored})
 
 
-def shape_faults(parts: list[dict[str, Any]]) -> list[str]:
-    """Return a sentence for everything in written CAD files that misses the requirements."""
+def _shape_faults(parts: list[dict[str, Any]]) -> list[Caution]:
+    """Return everything in written CAD files that misses the requirements."""
     return [
-        text
+        Caution(text, Subject("part", part["name"]), code="shape")
         for part in parts
         if part["shape"] is not None
         for text in shape_failures(part["name"], part["shape"], part["quality"]["flipped"])
@@ -154,10 +167,10 @@ def _symmetry(plane: SymmetryEntry | None) -> dict[str, list[float]] | None:
     return None if plane is None else {"point": [*plane.point], "normal": [*plane.normal]}
 
 
-def _torn(features: list[dict[str, Any]], tol: float) -> list[str]:
-    """Return a sentence for every feature whose error exceeds the tolerance, mm."""
+def _torn(features: list[dict[str, Any]], tol: float) -> list[Caution]:
+    """Return a failure for every feature whose error exceeds the tolerance, mm."""
     return [
-        f"{entry['name']} on {entry['part']}: {_worst_error(entry):.3g} mm"
+        not_rigid(entry["name"], entry["part"], f"{_worst_error(entry):.3g} mm")
         for entry in features
         if not _worst_error(entry) <= tol
     ]

@@ -6,7 +6,9 @@ from __future__ import annotations
 from typing import Any
 
 from ..base.arrays import Floats, Ints
+from ..base.errors import Caution
 from ..measuring.crossings import crossings, new_crossings
+from ..measuring.sizes import NOT_RIGID
 from ..measuring.thickness import thickness_change
 from ..solving.answer import Answer
 
@@ -84,10 +86,10 @@ def _crossings(result: Answer, part: str) -> Ints:
     return result.once(("crossings", part), lambda: crossings(positions, triangles))
 
 
-def thin_failures(result: Answer, tol: float) -> list[str]:
-    """Return a sentence for every thick region that is not rigid within the tolerance, mm."""
+def thin_failures(result: Answer, tol: float) -> list[Caution]:
+    """Return a failure for every thick region that is not rigid within the tolerance, mm."""
     return [
-        f"{lump.name}: {lump.edge_error:.3g} mm"
+        Caution(f"{lump.edge_error:.3g} mm", code=NOT_RIGID, where=lump.name)
         for lump in result.lumps
         if not lump.edge_error <= tol
     ]

@@ -3,24 +3,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from ..base.arrays import Bools, Floats, Ints
+from ..base.errors import InputError
 
 
-class SelectorError(ValueError):
-    """A selector that cannot be resolved.
-
-    The fault ``what`` is at ``path`` in the selector; ``todo`` is the remedy.
-    """
+class SelectorError(InputError):
+    """A selector that cannot be resolved; its fault is at ``path`` in the selector."""
 
     def __init__(self, what: str, todo: str, path: tuple[str | int, ...] = ()):
-        super().__init__(f"{what}; {todo}")
-        self.what, self.todo, self.path = what, todo, path
+        super().__init__(what, todo)
+        self.path = path
+
+    def below(self, path: Sequence[str | int]) -> SelectorError:
+        """Return the same error in a selector that contains this one at a path."""
+        return SelectorError(self.what, self.todo, (*path, *self.path))
 
 
 @dataclass(frozen=True, eq=False)

@@ -69,7 +69,7 @@ def form_faults(selector: Any, path: Path = ()) -> Iterator[SelectorError]:
         try:
             _check_keys(selector, key_of(selector))
         except SelectorError as error:
-            yield SelectorError(error.what, error.todo, (*path, *error.path))
+            yield error.below(path)
     for place, inner in operands(selector):
         yield from form_faults(inner, (*path, *place))
 
@@ -86,7 +86,7 @@ def _check_keys(selector: Mapping[str, Any], key: str) -> None:
         try:
             unit(selector[key][_DIRECTIONS[key]], _DIRECTIONS[key])
         except SelectorError as error:
-            raise SelectorError(error.what, error.todo, (key, *error.path)) from None
+            raise error.below((key,)) from None
     if key == "found" and "holes" in selector and selector["found"] not in HOLES:
         raise SelectorError(
             f'a {selector["found"]} is not a hole', 'give the number as "count"', ("holes",)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..base.arrays import Floats
+from ..base.errors import InputError
 from .things import text_of
 
 
@@ -21,7 +22,7 @@ class Candidate:
     place: list[float]
 
 
-class Question(ValueError):
+class Question(InputError):
     """An item that a selector selected before has no certain match; ``was`` describes it.
 
     candidates are possible items of the changed part, the nearest first.

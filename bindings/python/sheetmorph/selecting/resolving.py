@@ -76,7 +76,7 @@ def _below(shape: PartShape, path: Path, selector: Any) -> Chosen:
     try:
         found = _evaluated(shape, selector)
     except SelectorError as error:
-        raise SelectorError(error.what, error.todo, (*path, *error.path)) from None
+        raise error.below(path) from None
     if found.inside.any():
         return found
     return replace(found, remarks=[*found.remarks, f"its part {_spoken(selector)} selects nothing"])

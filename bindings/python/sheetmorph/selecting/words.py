@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ..base.arrays import Floats, Ids
+from ..base.errors import InputError
 
 Vector = Sequence[float] | Floats
 Where = dict[str, Any] | Sequence[dict[str, Any]]
@@ -381,7 +382,7 @@ def grow(selector: Where, rings: int | None = None, length: float | None = None)
 
     Raises
     ------
-    ValueError
+    InputError
         Unless exactly one of rings and length is given.
     """
     return Selector(grow=_amount(rings, length), of=selector)
@@ -405,7 +406,7 @@ def shrink(selector: Where, rings: int | None = None, length: float | None = Non
 
     Raises
     ------
-    ValueError
+    InputError
         Unless exactly one of rings and length is given.
     """
     return Selector(shrink=_amount(rings, length), of=selector)
@@ -416,7 +417,7 @@ def _amount(rings: int | None, length: float | None) -> int | dict[str, float]:
         return int(rings)
     if length is not None and rings is None:
         return {"length": float(length)}
-    raise ValueError("give either rings or a length")
+    raise InputError("give either rings or a length")
 
 
 def sentence(selector: Where) -> str:

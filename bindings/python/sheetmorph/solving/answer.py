@@ -54,6 +54,12 @@ class Answer:
     # Not an argument: dataclasses.replace() must start with an empty cache for new positions.
     _measured: dict[object, Any] = field(default_factory=dict, init=False)
 
+    @property
+    def displacements(self) -> dict[str, Floats]:
+        """Part name to the displacements (n, 3) of its vertices from rest, mm."""
+        meshes = self.session.meshes
+        return {name: now - meshes[name].points for name, now in self.positions.items()}
+
     @cached_property
     def _moved(self) -> list[FeatureResult]:
         return self.session.moved_features(self.deformed)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from ..base.arrays import Floats, Ints
-from ..base.errors import Subject
+from ..base.errors import InputError, Subject
 from ..base.kernel import load_kernel
 from ..base.part_mesh import PartMesh
 from ..base.progress import Progress
@@ -353,7 +353,7 @@ class Preprocessed:
         """Return the control mesh in a pose; see Result.control_mesh()."""
         names = [entry.name for entry in self._model.contacts]
         if contact is not None and contact not in names:
-            raise ValueError(f'there is no contact "{contact}"; names are {", ".join(names)}')
+            raise InputError(f'there is no contact "{contact}"', f"names are {', '.join(names)}")
         number = -1 if contact is None else names.index(contact)
         found = self._kernel.control_mesh(number, deformed)
         return cast("tuple[Floats, Ints] | None", found)

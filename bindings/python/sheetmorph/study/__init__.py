@@ -4,13 +4,16 @@
 from .evaluating import Evaluator
 from .reaching import Reach
 from .reading import Study, read_study, study_schema
-from .running import Ways, run_study, study_range
+from .rows import Row
+from .running import StudyRows, Ways, run_study, study_range
 from .sampling import samples_of
 
 __all__ = [
     "Evaluator",
     "Reach",
+    "Row",
     "Study",
+    "StudyRows",
     "Ways",
     "read_study",
     "run_study",

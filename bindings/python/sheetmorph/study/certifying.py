@@ -6,6 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from ..reporting.report import BESIDE
+
 # Default for every study: triangles must not flip.
 STANDARD: Mapping[str, Mapping[str, float]] = {"flipped": {"max": 0.0}}
 # Report entries that the certificate does not contain.
@@ -24,8 +26,7 @@ def certificate(
 
     proof comes from a Certifier, report from Writer.write_parts(), and criteria from judged().
     """
-    of_decks = [text for deck in report["decks"] for text in deck["failures"]]
-    solved = [text for text in report["certificate"]["failures"] if text not in of_decks]
+    solved = [one for one in report["certificate"]["failures"] if one.code != BESIDE]
     failures = [*solved, *proof["failures"], *failures_of(criteria)]
     told = {key: report[key] for key in _TOLD}
     return {

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from ..base.errors import Caution, RecipeError
+from ..base.errors import Caution, RecipeError, reason_of
 from ..morph.session import Result
 from .certifying import failures_of, judged
 from .figures import FIGURES, Figures, live_report
@@ -55,10 +55,8 @@ class Reach:
             raise _Stopped
         try:
             result = self.answered(value)
-        except RecipeError as error:
-            return "; ".join(map(str, error.faults))
-        except RuntimeError as error:  # the solve failed
-            return " ".join(str(error).split())
+        except (RecipeError, RuntimeError) as error:
+            return reason_of(error)
         figures = Figures(result, live_report(result))
         asked = {name: limits for name, limits in self.criteria.items() if name in FIGURES}
         found = judged(asked, {}, figures.figure)

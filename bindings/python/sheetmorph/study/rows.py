@@ -18,11 +18,24 @@ PICTURE = "picture.png"
 
 @dataclass(frozen=True)
 class Row:
-    """A row of the table.
+    """A row of the table: one variant.
 
-    hash identifies its inputs. status is one of STATUSES. why is empty if it passed. files maps the
-    other files of its folder to their sizes, and is empty in folders of older versions. no_picture
-    says why a picture is missing.
+    Attributes
+    ----------
+    hash : str
+        Identifies its inputs.
+    parameters : dict
+        Parameter name to value, in the unit of the parameter.
+    status : str
+        "passed", "failed", "refused" or "error".
+    why : str
+        Reason; empty if it passed.
+    measures : dict
+        Measure name to value, or None if it could not be measured.
+    files : dict
+        The other files of its folder to their sizes; empty in folders of older versions.
+    no_picture : str
+        Why a picture is missing; empty if it is there or not wanted.
     """
 
     hash: str
@@ -37,6 +50,10 @@ class Row:
     def is_final(self) -> bool:
         """Whether it needs no second try, as after an error or without its picture."""
         return self.status != ERROR and not self.no_picture
+
+    def __str__(self) -> str:
+        named = ", ".join(f"{name} = {value:.6g}" for name, value in self.parameters.items())
+        return f"{named}: {self.status}{f', {self.why}' if self.why else ''}"
 
     def to_json(self) -> dict[str, Any]:
         """Return the content of parameters.json."""

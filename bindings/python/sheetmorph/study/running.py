@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
@@ -28,7 +28,7 @@ from .plan import Plan
 from .refusing import Refusals
 from .rows import ERROR, FILE, REFUSED, Row
 from .storing import Store, write_json
-from .summary import CSV, JSON, PAGE, write_summary
+from .summary import CSV, JSON, PAGE, counts_of, write_summary
 from .working import Cost, Task, Workshop, adopt, work
 
 ENGINES = ("local", "processes", "dask", "slurm", "snakemake")
@@ -62,11 +62,52 @@ class Ways:
     progress: Progress | None = None
 
 
-def run_study(path: str | Path, out: str | Path, ways: Ways | None = None) -> list[str]:
-    """Compute the variants of a study into a folder and return sentences to print.
+class StudyRows(list[Row]):
+    """The rows of a study in the order of their runs, as in its table.
 
-    Finished variants with unchanged inputs stay. Raises RecipeError, FileError, KernelError,
-    OSError.
+    Attributes
+    ----------
+    computed : int
+        Number of variants that this call computed; the others were finished before.
+    sentences : list of str
+        Lines to print, such as how to start the jobs of a cluster.
+    """
+
+    def __init__(self, rows: Iterable[Row], sentences: list[str], computed: int = 0):
+        super().__init__(rows)
+        self.sentences, self.computed = sentences, computed
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{n} {status}" for status, n in counts_of(self).items() if n)
+        return f"<StudyRows: {counts or 'nothing computed'}>"
+
+    def __str__(self) -> str:
+        return "\n".join(self.sentences)
+
+
+def run_study(path: str | Path, out: str | Path, ways: Ways | None = None) -> StudyRows:
+    """Compute the variants of a study into a folder.
+
+    Finished variants with unchanged inputs stay.
+
+    Parameters
+    ----------
+    path : str or path
+        The study file.
+    out : str or path
+        Folder for the variants and their table.
+    ways : Ways, optional
+        Engine, workers and runs; by default all runs in this process.
+
+    Returns
+    -------
+    StudyRows
+        A row for each finished variant: parameters, measures, status and reason. It is empty if
+        the engine only writes or submits jobs.
+
+    Raises
+    ------
+    RecipeError, FileError, KernelError, OSError
     """
     ways = ways or Ways()
     plan = Plan(path, ways.progress)
@@ -82,14 +123,30 @@ def run_study(path: str | Path, out: str | Path, ways: Ways | None = None) -> li
         if ways.engine in ("slurm", "snakemake"):
             call = Call(plan.study.path, store.out, len(plan.samples))
             hand_over = submit if ways.engine == "slurm" else write_snakefile
-            return hand_over(call, ways.workers or _JOBS)
-        return run.all()
+            return StudyRows([], hand_over(call, ways.workers or _JOBS))
+        return run.whole()
 
 
 def study_range(path: str | Path, out: str | Path, progress: Progress | None = None) -> list[str]:
-    """Find and write the admissible ranges of the parameters; return sentences to print.
+    """Find and write the admissible ranges of the parameters.
 
-    Raises RecipeError, FileError, KernelError, OSError.
+    Parameters
+    ----------
+    path : str or path
+        The study file.
+    out : str or path
+        Folder for ranges.json.
+    progress : callable, optional
+        progress(fraction, task) returns whether to continue.
+
+    Returns
+    -------
+    list of str
+        A sentence for each parameter.
+
+    Raises
+    ------
+    RecipeError, FileError, KernelError, OSError
     """
     plan = Plan(path, progress)
     _require_apart(plan, Path(out))
@@ -126,16 +183,14 @@ class _Run:
         self._rows: dict[int, Row] = {}
         self._total = 0
 
-    def some(self, first: int, last: int) -> list[str]:
+    def some(self, first: int, last: int) -> StudyRows:
         """Compute some of the runs without a table, because other processes compute the others."""
         runs = range(first, min(last, len(self.hashes) - 1) + 1)
         self._compute(runs)
-        return [
-            f"{self._store.out}: {len(runs)} run(s) done, pre-processed "
-            f"{self._preprocessed} time(s)"
-        ]
+        done = f"{len(runs)} run(s) done, pre-processed {self._preprocessed} time(s)"
+        return self._table([f"{self._store.out}: {done}"])
 
-    def all(self) -> list[str]:
+    def whole(self) -> StudyRows:
         """Compute the missing runs and write the table."""
         begin = time.perf_counter()
         try:
@@ -155,7 +210,11 @@ class _Run:
         if aside := self._store.aside():
             what = counted(aside, "finished variant", "finished variants")
             told.append(f"{what} with other settings stay in it, under hidden names (.*.kept)")
-        return told
+        return self._table(told)
+
+    def _table(self, sentences: list[str]) -> StudyRows:
+        rows = (row for _, row in sorted(self._rows.items()))
+        return StudyRows(rows, sentences, len(self._costs))
 
     def _tell(self) -> dict[str, Any]:
         return write_summary(self._plan, self._rows, self._store.out)

@@ -128,7 +128,7 @@ def _csv_rows(path: Path) -> list[tuple[int, list[str]]]:
             reader = csv.reader(file)
             return [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
     except OSError as error:
-        raise FileError(path, f"cannot be read ({error.strerror or error})", "check the path")
+        raise FileError.of(path, error) from None
     except (UnicodeDecodeError, csv.Error):
         raise FileError(path, "is not a CSV file in UTF-8", "save it as UTF-8") from None
 

@@ -7,6 +7,7 @@ import csv
 import io
 import json
 from collections import Counter
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -38,7 +39,6 @@ def write_summary(plan: Plan, rows: Rows, out: Path) -> dict[str, Any]:
 def summary_of(plan: Plan, rows: Rows) -> dict[str, Any]:
     """Return the content of summary.json."""
     study = plan.study
-    counts = Counter(row.status for row in rows.values())
     return {
         "sheetmorph_study_summary": 1,
         "study": study.path.name,
@@ -47,7 +47,7 @@ def summary_of(plan: Plan, rows: Rows) -> dict[str, Any]:
             entry.name: list(entry.values) or [entry.low, entry.high] for entry in study.parameters
         },
         "measures": plan.columns,
-        "counts": {status: counts[status] for status in STATUSES},
+        "counts": counts_of(rows.values()),
         "runs": [
             {
                 "run": run,
@@ -60,6 +60,12 @@ def summary_of(plan: Plan, rows: Rows) -> dict[str, Any]:
             for run, row in sorted(rows.items())
         ],
     }
+
+
+def counts_of(rows: Iterable[Row]) -> dict[str, int]:
+    """Return the number of rows by status."""
+    counts = Counter(row.status for row in rows)
+    return {status: counts[status] for status in STATUSES}
 
 
 def _csv(plan: Plan, rows: Rows) -> str:

@@ -15,7 +15,15 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from ..base.errors import Fault, FileError, KernelError, RecipeError, fault_of
+from ..base.errors import (
+    Fault,
+    FileError,
+    KernelError,
+    RecipeError,
+    SheetMorphError,
+    fault_of,
+    reason_of,
+)
 from ..certifying import Certifier, Inputs
 from ..checking import prepare
 from ..files.deck_file import DeckFile
@@ -153,10 +161,8 @@ class Workshop:
             variant = self.plan.variant(values)
             base = self._base(variant)
             result = base.session.deform(variant.pose, exact)
-        except RecipeError as error:
-            return "; ".join(map(str, error.faults))
-        except RuntimeError as error:  # the solve failed
-            return " ".join(str(error).split())
+        except (RecipeError, RuntimeError) as error:
+            return reason_of(error)
         report = report_of(result, base.parts, base.joint_files) if exact else live_report(result)
         figures = Figures(result, report)
         measures = base.measures.taken(Scene(result.positions, values, figures.figure))
@@ -180,15 +186,15 @@ class Workshop:
         try:
             return self._computed(row, folder)
         except RecipeError as error:
-            return self._without(row, folder, REFUSED, "; ".join(map(str, error.faults)))
+            return self._without(row, folder, REFUSED, reason_of(error))
         except (OSError, FileError):
             raise  # a full disk or a lost folder concerns the whole study
         except MemoryError:
             return self._without(row, folder, ERROR, "not enough memory")
         except Exception as error:  # whatever it is, the other variants continue
-            text = " ".join(str(error).split())
-            known = isinstance(error, RuntimeError) and type(error).__module__.startswith("sheetm")
-            what = text if known else f"a bug of SheetMorph ({type(error).__name__}: {text})"
+            what = reason_of(error)
+            if not isinstance(error, SheetMorphError):
+                what = f"a bug of SheetMorph ({type(error).__name__}: {what})"
             return self._without(row, folder, ERROR, what)
 
     def _without(self, row: Row, folder: Path, status: str, why: str) -> Row:

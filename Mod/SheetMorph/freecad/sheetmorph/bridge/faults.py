@@ -11,6 +11,9 @@ from freecad.sheetmorph.kinds import ASSEMBLY, kind
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import Fault, MorphError
 
+FAILURES = (ValueError, RuntimeError, OSError)
+"""The errors of a computation: input, solver, and files."""
+
 Names = Mapping[tuple[str, str], str]
 """Document object names by recipe list ("part", "region", ...) and name in it."""
 
@@ -28,13 +31,11 @@ def fault_of(error: Exception | str, names: Names | None = None) -> Fault:
         return error if isinstance(error, Fault) else Fault(error)
     if isinstance(error, MorphError):
         return error.fault
-    several = getattr(error, "faults", None) or [error]
-    if not hasattr(several[0], "brief"):
+    several = getattr(error, "faults", ())
+    if not several:
         sentence = " ".join(str(error).split())
         return Fault(sentence or f"{type(error).__name__} without a message.")
     first = several[0]
-    if first is error:
-        first = kernel.load().base.errors.fault_of(error, todo="", where="")
     more = f" (and {len(several) - 1} more)" if len(several) > 1 else ""
     return Fault(f"{first.in_brief()}{more}", *objects_in(first, names or {}), code=first.code)
 
@@ -51,13 +52,21 @@ def objects_in(message, names: Names) -> list[str]:
 
 
 @contextmanager
+def as_morph_errors() -> Iterator[None]:
+    """Convert the errors of a computation in this context to MorphErrors."""
+    try:
+        yield
+    except FAILURES as error:
+        raise MorphError(fault_of(error)) from error
+
+
+@contextmanager
 def named(names: Names) -> Iterator[None]:
     """Convert errors of the package in this context to MorphErrors with document objects."""
     try:
         yield
     except (ValueError, RuntimeError) as error:
-        several = getattr(error, "faults", None) or [error]
-        if isinstance(error, MorphError) or not hasattr(several[0], "brief"):
+        if not getattr(error, "faults", ()) or isinstance(error, kernel.core().Cancelled):
             raise
         raise MorphError(fault_of(error, names)) from error
 

@@ -14,10 +14,9 @@ from typing import Any
 import numpy as np
 
 from freecad.sheetmorph.bridge import kernel, recipes
-from freecad.sheetmorph.bridge.faults import fault_of, named
+from freecad.sheetmorph.bridge.faults import as_morph_errors, named
 from freecad.sheetmorph.bridge.rest import RestPart
 from freecad.sheetmorph.bridge.solving import (
-    FAILURES,
     ControlMesh,
     Morph,
     SessionCache,
@@ -26,7 +25,6 @@ from freecad.sheetmorph.bridge.solving import (
     shown_control_mesh,
     unsettled_words,
 )
-from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.reporting import Progress
 from freecad.sheetmorph.tools.motion import Moving
 from freecad.sheetmorph.tools.poses import Pose, share_of
@@ -116,14 +114,12 @@ class LiveSession:
         self._assembly = assembly
         self._shown: Frame | None = None
         self._cache = cache or cache_of(assembly)
-        try:
+        with as_morph_errors():
             self._morph: Morph = morph or read_morph(assembly)
             held = self._morph.is_held()
             self._session = self._cache.session(self._morph) if held else None
             self._live = self._session and kernel.load().LiveFrames(self._session)
             self._pose: Pose = self._morph.pose
-        except FAILURES as error:
-            raise MorphError(fault_of(error)) from error
 
     @property
     def parts(self) -> dict[str, RestPart]:
@@ -170,11 +166,8 @@ class LiveSession:
         if self._session is None:
             found, positions = None, {name: rest.points for name, rest in rests.items()}
         else:
-            try:
-                with named(self._morph.objects):
-                    found, question = self._solve(question, goes_on)
-            except FAILURES as error:
-                raise MorphError(fault_of(error)) from error
+            with as_morph_errors(), named(self._morph.objects):
+                found, question = self._solve(question, goes_on)
             positions = {name: found.positions[self.names[name]] for name in rests}
             if question.is_exact:
                 self._cache.remember(self._morph, question.pose, found)

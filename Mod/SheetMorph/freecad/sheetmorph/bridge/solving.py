@@ -20,6 +20,7 @@ import numpy as np
 
 from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import conversion, faults, kernel, recipes
+from freecad.sheetmorph.bridge.faults import FAILURES
 from freecad.sheetmorph.bridge.findings import Findings, Step, findings_of, show, steps_of
 from freecad.sheetmorph.objects import assembly_of, deformation_of
 from freecad.sheetmorph.objects.errors import Fault, MorphError
@@ -29,8 +30,6 @@ from freecad.sheetmorph.tools.poses import Pose
 
 ControlMesh = tuple[np.ndarray, np.ndarray]
 """Vertices (m, 3) float64, global, mm, and triangles (t, 3) int32."""
-FAILURES = (ValueError, RuntimeError, OSError)
-"""Errors of kernel, package and document with a message for the user."""
 LOOK = 0.05  # seconds between two checks of another thread
 ORPHANED = "The morph of this part was deleted: undo that, or delete the part too."
 
@@ -340,23 +339,19 @@ def make_due(assembly) -> None:
     deformation_of(assembly).touch()
 
 
+@faults.as_morph_errors()
 def deform(assembly, exact: bool = True) -> dict[str, np.ndarray]:
     """Return global positions (n, 3), mm, of every part by object name. Raises MorphError."""
-    try:
-        found = cache_of(assembly).positions(read_morph(assembly), exact)
-    except FAILURES as error:
-        raise MorphError(faults.fault_of(error)) from error
+    found = cache_of(assembly).positions(read_morph(assembly), exact)
     return {name: np.array(points) for name, points in found.items()}
 
 
+@faults.as_morph_errors()
 def deform_in(assembly, moved: Pose) -> dict[str, np.ndarray]:
     """Return positions as `deform` does, with other motions of some regions. Raises MorphError."""
-    try:
-        cache, morph = cache_of(assembly), read_morph(assembly)
-        pose = {**morph.pose, **{morph.names[name]: motion for name, motion in moved.items()}}
-        found = cache.positions(replace(morph, pose=pose))
-    except FAILURES as error:
-        raise MorphError(faults.fault_of(error)) from error
+    cache, morph = cache_of(assembly), read_morph(assembly)
+    pose = {**morph.pose, **{morph.names[name]: motion for name, motion in moved.items()}}
+    found = cache.positions(replace(morph, pose=pose))
     return {name: np.array(points) for name, points in found.items()}
 
 
@@ -374,21 +369,17 @@ def shown_control_mesh(result, morph: Morph, contact: str | None) -> ControlMesh
     return result.control_mesh(name) if name in used else None
 
 
+@faults.as_morph_errors()
 def steps(assembly) -> list[Step]:
     """Return the parts in the order of propagation. Raises MorphError."""
-    try:
-        return cache_of(assembly).steps(read_morph(assembly))
-    except FAILURES as error:
-        raise MorphError(faults.fault_of(error)) from error
+    return cache_of(assembly).steps(read_morph(assembly))
 
 
+@faults.as_morph_errors()
 def control_mesh(assembly, contact=None) -> ControlMesh | None:
     """Return the control mesh of a contact in the document's pose, global. Raises MorphError."""
-    try:
-        name = None if contact is None else contact.Name
-        return cache_of(assembly).control_mesh(read_morph(assembly), name)
-    except FAILURES as error:
-        raise MorphError(faults.fault_of(error)) from error
+    name = None if contact is None else contact.Name
+    return cache_of(assembly).control_mesh(read_morph(assembly), name)
 
 
 def cache_of(obj) -> SessionCache:

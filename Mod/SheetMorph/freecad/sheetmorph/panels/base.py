@@ -4,6 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import paths
+from freecad.sheetmorph.bridge.faults import fault_of
 from freecad.sheetmorph.interaction.finishing import finishing
 from freecad.sheetmorph.panels.notices import Notices
 from freecad.sheetmorph.panels.number_field import loaded
@@ -155,6 +156,11 @@ def say(label, text: str, is_error: bool = False) -> None:
     label.setText(text)
     label.setStyleSheet(FAULT_STYLE if is_error else "")
     label.setVisible(bool(text))
+
+
+def say_error(label, error: Exception) -> None:
+    """Show the fault of an error in a label."""
+    say(label, fault_of(error), True)
 
 
 def listed(texts: list[str]) -> str:

@@ -11,7 +11,7 @@ from freecad.sheetmorph.objects.properties import number_of, vector_of
 from freecad.sheetmorph.objects.region import AXIS, FORM_FEATURE, LINE, MOTIONS, PLANE
 from freecad.sheetmorph.objects.region import PRESCRIBED, ROTATIONS
 from freecad.sheetmorph.panels import keeping
-from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.panels.base import Panel, say, say_error
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.interaction.live_scene import LiveScene
 from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, translate
@@ -84,7 +84,7 @@ class FeaturePanel(Panel):
                 lines = [line_of(*change) for change in changes]
                 keeping.keep("Form Feature", *lines, document=self._feature.Document)
         except actions.FAULTS as error:
-            say(self.form.message, str(error), True)
+            say_error(self.form.message, error)
             return False
         return True
 
@@ -111,7 +111,7 @@ class FeaturePanel(Panel):
                 self._try(changes)
             say(self.form.message, "")
         except actions.FAULTS as error:
-            say(self.form.message, str(error), True)
+            say_error(self.form.message, error)
 
     def _end_drawing(self) -> None:
         if self._shown is not None:

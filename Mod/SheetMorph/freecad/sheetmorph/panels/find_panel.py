@@ -6,7 +6,7 @@ from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import find_table, keeping
-from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.panels.base import Panel, say, say_error
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.find_kinds import CONTACTS, FEATURES
 from freecad.sheetmorph.panels.folding import Folds
@@ -67,7 +67,7 @@ class FindPanel(Panel):
                 self._found = self._what.find(api, self._assembly, options)
         except actions.FAULTS as error:
             self._found = []
-            say(self.form.message, str(error), True)
+            say_error(self.form.message, error)
         self._fill_kinds()
         find_table.fill(self.form.table, [self._what.row(one) for one in self._found])
         self._filter()

@@ -11,7 +11,7 @@ from freecad.sheetmorph.bridge import seen, units
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import differences
-from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.panels.base import Panel, say, say_error
 from freecad.sheetmorph.qt import connect, translate
 from freecad.sheetmorph.scene.highlight import PartLight
 from freecad.sheetmorph.scene.looking import look_at
@@ -73,7 +73,7 @@ class PreparePanel(Panel):
         try:
             actions.run("Prepare Mesh", *lines, document=self._part.Document)
         except actions.FAULTS as error:
-            say(self.form.message, str(error), True)
+            say_error(self.form.message, error)
             return False
         if not self._wish().is_split:  # splitting removes the part
             differences.tell(self._part.Document, api.preparation_of(self._part))
@@ -188,7 +188,7 @@ class PreparePanel(Panel):
 
     def _tell_fault(self, error) -> None:
         if not self.session.is_over:
-            say(self.form.message, str(error), True)
+            say_error(self.form.message, error)
 
     def _end_preview(self, *_) -> None:
         if self._preview is not None:

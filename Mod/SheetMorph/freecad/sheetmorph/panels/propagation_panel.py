@@ -12,7 +12,7 @@ from freecad.sheetmorph.objects.assembly import PROPAGATIONS, UNHELD, WHOLE
 from freecad.sheetmorph.interaction import control_meshes
 from freecad.sheetmorph.interaction.finishing import finishing
 from freecad.sheetmorph.panels import contact_types, keeping, propagation_tree
-from freecad.sheetmorph.panels.base import Panel, listed, say
+from freecad.sheetmorph.panels.base import Panel, listed, say, say_error
 from freecad.sheetmorph.qt import QtWidgets, connect, number, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
@@ -116,7 +116,7 @@ class PropagationPanel(Panel):
             say(form.message, text if is_late else "")
         except actions.FAULTS as error:
             self._steps = []
-            say(form.message, str(error), True)
+            say_error(form.message, error)
         chosen = self._chosen_name
         propagation_tree.fill(form.tree, self._assembly, self._steps)
         form.tree.setCurrentItem(propagation_tree.row_of(form.tree, chosen) if chosen else None)
@@ -230,7 +230,7 @@ class PropagationPanel(Panel):
             )
         except actions.FAULTS as error:
             meshes = []
-            say(self.form.message, str(error), True)
+            say_error(self.form.message, error)
         self._wires.show(meshes)
 
     # -- the widgets

@@ -10,7 +10,7 @@ from freecad.sheetmorph.editing import transactions
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects.study import kept_parameters, kept_results
 from freecad.sheetmorph.panels import study_table
-from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.panels.base import Panel, say, say_error
 from freecad.sheetmorph.qt import QtCore, QtWidgets, connect, translate
 from freecad.sheetmorph.tools.studies import ANGLE, LENGTH, METHODS, unused
 
@@ -78,7 +78,7 @@ class StudyPanel(Panel):
             if self._study is None or self._differs(settings):
                 self._put(settings)
         except actions.FAULTS as error:
-            say(self.form.message, str(error), True)
+            say_error(self.form.message, error)
             return False
         say(self.form.message, "")
         return True
@@ -130,7 +130,7 @@ class StudyPanel(Panel):
             value = studies.value_of(variable)
             rows = study_table.parameters_in(self.form.parameters, self._chosen)
         except actions.FAULTS as error:
-            say(self.form.message, str(error), True)
+            say_error(self.form.message, error)
             return
         around = AROUND.get(variable.unit, 0.0)
         if variable.number == "Size" or not around:
@@ -163,7 +163,7 @@ class StudyPanel(Panel):
             with actions.waiting():
                 self._run = running.__enter__()
         except actions.FAULTS as error:
-            say(self.form.message, str(error), True)
+            say_error(self.form.message, error)
             return
         self._running = running
         self._look.start()
@@ -195,7 +195,7 @@ class StudyPanel(Panel):
                 studies.keep_results(study, self._run)
             actions.note(call("run_study", name(study)))
         except actions.FAULTS as error:
-            say(self.form.message, str(error), True)
+            say_error(self.form.message, error)
         self._end_run()
         self._show_running()
         self._show_results()

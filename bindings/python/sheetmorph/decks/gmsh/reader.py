@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...base.arrays import Array, Floats, Ints
+from ...base.errors import FileError
 from ...base.blocks import CHUNK, chunks
 from ..commas import integers, reals, words
 from ..cut import small
@@ -308,9 +309,9 @@ class _Binary(_Text):
             self._cursor = mark + len(name) + 2
             try:
                 work()
-            except (struct.error, ValueError) as error:
-                if type(error) not in (struct.error, ValueError):
-                    raise
+            except FileError:
+                raise
+            except (struct.error, ValueError):
                 what = f"${name} is cut short"
                 raise self.raw.error((0, 0), what, "export it again") from None
 
@@ -322,7 +323,7 @@ class _Binary(_Text):
     def _array(self, kind: np.dtype[Any], count: int) -> Array:
         size = count * kind.itemsize
         if count < 0 or self._cursor + size > len(self._text.data):
-            raise ValueError("cut")
+            raise struct.error("cut")
         found = np.frombuffer(self._text.data, kind, count, self._cursor)
         self._cursor += size
         return found
@@ -365,7 +366,7 @@ class _Binary(_Text):
             while done < count:
                 kind, some, tags = self._take("3i")
                 if kind not in _TYPES or some <= 0 or tags < 0:
-                    raise ValueError("cut")
+                    raise struct.error("cut")
                 width = 1 + tags + _TYPES[kind][1]
                 table = self._array(np.dtype("<i4"), some * width).reshape(some, width)
                 tag = table[:, 2] if tags > 1 else np.zeros(some, np.int64)
@@ -379,7 +380,7 @@ class _Binary(_Text):
             _dim, entity, kind = self._take("3i")
             (count,) = self._take("Q")
             if kind not in _TYPES:
-                raise ValueError("cut")
+                raise struct.error("cut")
             width = 1 + _TYPES[kind][1]
             table = self._array(np.dtype("<u8"), count * width).reshape(count, width)
             self._put(

@@ -8,7 +8,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from ..base.arrays import Bools, Floats, Ints
+from .arrays import Bools, Floats, Ints
+from .errors import InputError
 
 SPLIT_IT = "split it into triangles, or into polygons that do not cross themselves"
 # Shares of the squared longest edge of a polygon: below the first an area counts as zero. Triangles
@@ -20,7 +21,7 @@ _Entry = tuple[float, int, int, int]
 
 
 def _refused(number: int, what: str) -> ValueError:
-    return ValueError(f"face {number}: {what}; {SPLIT_IT}")
+    return InputError(what, SPLIT_IT, f"face {number}")
 
 
 def triangulate(
