@@ -9,25 +9,22 @@ import sys
 from ..files.atomic import FileSet
 from ..morph.running import NOT_TRIED, check
 from .certify import judged_run, require_criteria
-from .output import as_json
-from .parsing import STDOUT
+from .output import Outcome, json_target
 from .progress import progress_on
-from .run import report_of
 
 
-def execute(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
-    """Check the recipe and return the lines to print."""
+def execute(wanted: argparse.Namespace, _files: FileSet) -> Outcome:
+    """Check the recipe and return its warnings."""
     require_criteria(wanted)
     judge = (lambda folder: judged_run(wanted, folder)) if wanted.certify else None
     with progress_on(sys.stderr, wanted.quiet) as progress:
         told = check(
-            wanted.recipe, out_dir=wanted.output, pose=wanted.pose, report=report_of(wanted),
+            wanted.recipe, out_dir=wanted.output, pose=wanted.pose, report=json_target(wanted),
             strict=wanted.strict, pictures=wanted.pictures, step=wanted.step, wide=wanted.wide,
             repair=wanted.repair, judge=judge, progress=progress, force=wanted.force,
         )  # fmt: skip
     untried = [text for text in told if getattr(text, "code", "") == NOT_TRIED]
     warnings = [text for text in told if text not in untried]
-    if wanted.json == STDOUT:
-        return as_json({"valid": True, "warnings": warnings, "notes": untried})
     verdict = "; ".join([f"{wanted.recipe}: valid", *untried])
-    return [*(f"warning: {text}" for text in warnings), verdict]
+    lines = [*(f"warning: {text}" for text in warnings), verdict]
+    return Outcome(lines, {"valid": True, "warnings": warnings, "notes": untried})
