@@ -9,7 +9,7 @@ from typing import Any
 
 from ..base.errors import FileError
 from ..base.packaged import packaged_json
-from ..files.comments import parsed
+from ..files.comments import is_toml, parsed
 from ..files.reading import read_text
 from ..measuring.quality import MEASURES
 
@@ -51,7 +51,8 @@ def read_criteria(name: str | Path | None) -> Criteria:
         todo = f"name a file, or one of the sets {', '.join(sets)}"
         raise FileError(path, f"cannot be read ({error.strerror or error})", todo) from None
     except ValueError as error:
-        raise FileError(path, f"it is neither JSON nor TOML ({error})", "correct it") from None
+        form = "TOML" if is_toml(path) else "JSON"
+        raise FileError(path, f"it is not {form} ({error})", "correct it") from None
     if not isinstance(found, dict):
         raise FileError(path, "criteria must be an object", 'write {"elements": {...}}')
     base = found.get("set", "")

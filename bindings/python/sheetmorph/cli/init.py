@@ -9,8 +9,7 @@ from pathlib import Path
 
 from ..base.errors import Fault, RecipeError
 from ..files.atomic import FileSet
-from ..files.comments import parsed
-from ..recipe.writing import is_toml
+from ..files.comments import is_toml, parsed
 from ..starting import starting_recipe
 from .output import Outcome, write_text
 from .progress import progress_on

@@ -18,8 +18,12 @@ def parsed(text: str, path: str | Path) -> Any:
 
     Raises ValueError.
     """
-    is_toml = Path(path).suffix.lower() == ".toml"
-    return tomllib.loads(text) if is_toml else json.loads(plain_json(text))
+    return tomllib.loads(text) if is_toml(path) else json.loads(plain_json(text))
+
+
+def is_toml(path: str | Path) -> bool:
+    """Return whether a file is TOML by its name."""
+    return Path(path).suffix.lower() == ".toml"
 
 
 def plain_json(text: str) -> str:

@@ -9,10 +9,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-
-def is_toml(path: str | Path) -> bool:
-    """Return whether a file is TOML by its name."""
-    return Path(path).suffix.lower() == ".toml"
+from ..files.comments import is_toml
 
 
 def recipe_text(recipe: dict[str, Any], path: str | Path = "") -> str:
