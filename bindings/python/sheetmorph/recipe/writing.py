@@ -42,7 +42,7 @@ def toml_value(value: Any) -> str:
         return f"{{ {', '.join(entries)} }}"
     if isinstance(value, (list, tuple)):
         return f"[{', '.join(map(toml_value, value))}]"
-    return json_value(value).replace("\x7f", "\\u007f")
+    return _toml_text(value)
 
 
 def json_value(value: Any) -> str:
@@ -51,4 +51,8 @@ def json_value(value: Any) -> str:
 
 
 def _bare(key: str) -> str:
-    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json_value(key)
+    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else _toml_text(key)
+
+
+def _toml_text(value: Any) -> str:
+    return json_value(value).replace("\x7f", "\\u007f")

@@ -12,6 +12,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
+from importlib import metadata
 from pathlib import Path
 
 from ..base.errors import KernelError
@@ -19,13 +20,13 @@ from ..base.kernel import load_kernel
 from ..base.version import __version__
 from ..cad.worker import PROGRAM
 
-# Module, where its version stands, its package, whether nothing works without it, and its use.
+# Name, module, Debian package, whether nothing works without it, and its use.
 _MODULES = (
-    ("numpy", "numpy.__version__", "python3-numpy", True, "everything"),
-    ("jsonschema", "jsonschema.__version__", "python3-jsonschema", True, "recipes"),
-    ("meshio", "meshio.__version__", "python3-meshio", True, "files such as VTK and VTU"),
-    ("scipy", "scipy.__version__", "python3-scipy", False, "samples of studies"),
-    ("VTK", "vtkmodules.vtkCommonCore.VTK_VERSION", "python3-vtk9", False, "pictures"),
+    ("numpy", "numpy", "python3-numpy", True, "everything"),
+    ("jsonschema", "jsonschema", "python3-jsonschema", True, "recipes"),
+    ("meshio", "meshio", "python3-meshio", True, "files such as VTK and VTU"),
+    ("scipy", "scipy", "python3-scipy", False, "samples of studies"),
+    ("VTK", "vtkmodules.vtkCommonCore", "python3-vtk9", False, "pictures"),
 )
 _BUILD = "run ./sheetmorph build"
 _SECONDS = 20.0
@@ -85,11 +86,11 @@ def _cad_worker() -> Check:
     return Check("CAD worker", str(PROGRAM))
 
 
-def _module(name: str, version: str, package: str, is_needed: bool, use: str) -> Check:
-    module, attribute = version.rsplit(".", 1)
+def _module(name: str, module: str, package: str, is_needed: bool, use: str) -> Check:
     try:
-        return Check(name, str(getattr(importlib.import_module(module), attribute)))
-    except (ImportError, AttributeError) as error:
+        found = importlib.import_module(module)
+        return Check(name, getattr(found, "VTK_VERSION", None) or metadata.version(name))
+    except ImportError as error:
         reason = "missing" if isinstance(error, ModuleNotFoundError) else f"broken ({error})"
         return Check(name, f"{reason}, needed for {use}", f"install {package}", is_needed)
 
