@@ -13,19 +13,23 @@ from .output import Outcome
 _BASH = """\
 _sheetmorph()
 {{
-    local word="${{COMP_WORDS[COMP_CWORD]}}" words=""
+    local word="${{COMP_WORDS[COMP_CWORD]}}" found=""
     case "${{COMP_WORDS[1]}} ${{COMP_WORDS[COMP_CWORD-1]}}" in
 {values}
     *) case "$COMP_CWORD-${{COMP_WORDS[1]}}-$word" in
-        1-*) words="{commands}" ;;
+        1-*) found="{commands}" ;;
 {options}
         esac ;;
     esac
-    COMPREPLY=($(compgen -W "$words" -- "$word"))
+    COMPREPLY=($(compgen -W "$found" -- "$word"))
 }}
 complete -o bashdefault -o default -F _sheetmorph sheetmorph
 """
-_ZSH = "autoload -Uz compinit bashcompinit\ncompinit\nbashcompinit\n"
+_ZSH = """\
+autoload -Uz compinit bashcompinit
+whence compdef >/dev/null || compinit
+bashcompinit
+"""
 
 
 def execute(wanted: argparse.Namespace, _files: FileSet) -> Outcome:
@@ -43,11 +47,11 @@ def _bash(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> str:
     values, options = [], []
     for name, command in commands.choices.items():
         words = " ".join(one.option_strings[-1] for one in command._actions if one.option_strings)
-        options.append(f'        *-{name}--*) words="{words}" ;;')
+        options.append(f'        *-{name}--*) found="{words}" ;;')
         for action in command._actions:
             chosen = " ".join(map(str, action.choices or ()))
             places = action.option_strings or [name]
-            values += [f'    "{name} {one}") words="{chosen}" ;;' for one in places if chosen]
+            values += [f'    "{name} {one}") found="{chosen}" ;;' for one in places if chosen]
     return _BASH.format(
         values="\n".join(values), options="\n".join(options), commands=" ".join(commands.choices)
     )
@@ -62,18 +66,16 @@ def _fish(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> list
     for name, command in commands.choices.items():
         start = f"complete -c sheetmorph -n '__fish_seen_subcommand_from {name}'"
         for action in command._actions:
-            chosen = f" -a {_quoted(' '.join(map(str, action.choices)))}" if action.choices else ""
             flags = "".join(
                 f" -l {word[2:]}" if word.startswith("--") else f" -s {word[1:]}"
                 for word in action.option_strings
             )
-            takes = " -r" * (
-                action.nargs is None or isinstance(action.nargs, int) and action.nargs > 0
-            )
-            if flags or chosen:
-                lines.append(
-                    f"{start}{flags}{takes * bool(flags)}{chosen} -d {_quoted(action.help)}"
-                )
+            way = " -r" if flags and action.nargs not in (0, "?") else ""
+            if action.choices:
+                words = _quoted(" ".join(map(str, action.choices)))
+                way = f" {'-x' if flags else '-f'} -a {words}"
+            if flags or way:
+                lines.append(f"{start}{flags}{way} -d {_quoted(action.help)}")
     return lines
 
 
