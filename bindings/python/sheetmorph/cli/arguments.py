@@ -165,8 +165,7 @@ def _add_common(command: argparse.ArgumentParser) -> None:
     """Add the options that mean the same in every command."""
     text = "write the result as JSON to FILE, or to stdout in place of the text"
     command.add_argument("--json", nargs="?", const=STDOUT, metavar="FILE", help=text)
-    text = "the same as --json FILE; with --json alone, write it to both"
-    command.add_argument("--report", metavar="FILE", help=text)
+    command.add_argument("--report", metavar="FILE", help="another name of --json FILE")
     command.add_argument("--quiet", action="store_true", help="do not print progress to stderr")
     text = "also overwrite files that SheetMorph did not write"
     command.add_argument("--force", action="store_true", help=text)

@@ -20,14 +20,15 @@ from ..base.kernel import load_kernel
 from ..base.version import __version__
 from ..cad.worker import PROGRAM
 
-# Name, module, Debian package, whether nothing works without it, and its use.
+# Name, module, Debian package and use; nothing works without the first three.
 _MODULES = (
-    ("numpy", "numpy", "python3-numpy", True, "everything"),
-    ("jsonschema", "jsonschema", "python3-jsonschema", True, "recipes"),
-    ("meshio", "meshio", "python3-meshio", True, "files such as VTK and VTU"),
-    ("scipy", "scipy", "python3-scipy", False, "samples of studies"),
-    ("VTK", "vtkmodules.vtkCommonCore", "python3-vtk9", False, "pictures"),
+    ("numpy", "numpy", "python3-numpy", "everything"),
+    ("jsonschema", "jsonschema", "python3-jsonschema", "recipes"),
+    ("meshio", "meshio", "python3-meshio", "files such as VTK and VTU"),
+    ("scipy", "scipy", "python3-scipy", "samples of studies"),
+    ("VTK", "vtkmodules.vtkCommonCore", "python3-vtk9", "pictures"),
 )
+_NEEDED = tuple(name for name, *_ in _MODULES[:3])
 _BUILD = "run ./sheetmorph build"
 _SECONDS = 20.0
 
@@ -86,13 +87,13 @@ def _cad_worker() -> Check:
     return Check("CAD worker", str(PROGRAM))
 
 
-def _module(name: str, module: str, package: str, is_needed: bool, use: str) -> Check:
+def _module(name: str, module: str, package: str, use: str) -> Check:
     try:
         found = importlib.import_module(module)
         return Check(name, getattr(found, "VTK_VERSION", None) or metadata.version(name))
     except ImportError as error:
         reason = "missing" if isinstance(error, ModuleNotFoundError) else f"broken ({error})"
-        return Check(name, f"{reason}, needed for {use}", f"install {package}", is_needed)
+        return Check(name, f"{reason}, needed for {use}", f"install {package}", name in _NEEDED)
 
 
 def _addon() -> Check:
