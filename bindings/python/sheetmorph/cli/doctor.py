@@ -17,6 +17,6 @@ def execute(wanted: argparse.Namespace, _files: FileSet) -> Outcome:
         found = diagnose_files(wanted.files, wanted.tolerance, wanted.unit)
         return Outcome(as_json(found), found)
     made = list(checks())
-    is_broken = any(check.is_needed for check in made)
+    is_broken = any(check.is_error for check in made)
     data = {"installation": [vars(check) for check in made]}
     return Outcome([str(check) for check in made], data, BAD_INPUT if is_broken else DONE)

@@ -35,12 +35,12 @@ _SECONDS = 20.0
 
 @dataclass(frozen=True)
 class Check:
-    """One thing that was checked: todo is empty if it is in order."""
+    """One thing that was checked: todo names a remedy, and is_error means that nothing works."""
 
     name: str
     found: str
     todo: str = ""
-    is_needed: bool = False
+    is_error: bool = False
 
     def __str__(self) -> str:
         return f"{self.name}: {'; '.join(filter(None, (self.found, self.todo)))}"
@@ -66,7 +66,7 @@ def _kernel() -> Check:
     try:
         core = load_kernel()
     except KernelError as error:
-        return Check("kernel", str(error), is_needed=True)
+        return Check("kernel", str(error), is_error=True)
     told = ", ".join(f"{key} {value}" for key, value in sorted(core.abi_info().items()))
     return Check("kernel", f"{core.__version__} ({told})")
 
