@@ -164,6 +164,8 @@ def test_every_command_gives_its_result_as_json(
     assert main([*line, "--quiet", "--force", "--json=-", "--report", "other.json"]) == 0
     assert json.loads(capsys.readouterr().out).keys() == kept.keys() and kept[key]
     assert json.loads((folder / "other.json").read_text()).keys() == kept.keys()
+    assert main([*line, "--quiet", "--force", "--report", "-"]) == 0
+    assert json.loads(capsys.readouterr().out).keys() == kept.keys()
 
 
 @pytest.mark.parametrize(

@@ -33,6 +33,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     interrupted.
     """
     wanted = parser().parse_args(arguments)
+    if wanted.report == STDOUT:
+        wanted.json, wanted.report = STDOUT, None if wanted.json == STDOUT else wanted.json
     files = FileSet(wanted.command, force=getattr(wanted, "force", False))
     numbers = [number for number in stopping_signals() if number != signal.SIGINT]
     previous = {number: signal.signal(number, _interrupt) for number in numbers}
