@@ -34,6 +34,7 @@ LAZY = {
     "old_names": "modules under their old names",
     "base.kernel": "the compiled kernel, which may be missing",
     "cli.entry": "the module of a command, so that --help answers at once",
+    "starting.installation": "modules of other packages, which may be missing",
 }
 """Modules that import others while they run, and what these are."""
 

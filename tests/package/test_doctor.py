@@ -14,7 +14,7 @@ from plates import plate, write_plate
 from sheetmorph import PartMesh, diagnose
 from sheetmorph.starting.doctor import diagnose_files, schema
 from sheetmorph.base.file_unit import UNITS
-from test_command_line import run_module
+from test_command_line import copied_package, run_module
 from test_real_files import real_file
 
 SUMMIT = "05-robotnik-summit-stl"
@@ -52,6 +52,29 @@ def test_the_command_prints_what_the_schema_says_and_changes_nothing(tmp_path: P
     jsonschema.validate(printed, schema())
     assert [entry["file"] for entry in printed["files"]] == [str(file), str(file)]
     assert file.read_bytes() == before
+
+
+def test_without_a_file_the_installation_is_checked(tmp_path: Path, monkeypatch):
+    place = tmp_path / "FreeCAD" / "Mod" / "SheetMorph"
+    place.mkdir(parents=True)
+    (place / "package.xml").write_text("<version>0.0.9</version>")
+    (tmp_path / "freecad").touch(mode=0o755)
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
+    monkeypatch.delenv("FREECAD_USER_HOME", raising=False)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    done = run_module("doctor")
+    assert done.returncode == 0 and done.stderr == ""
+    lines = dict(line.split(": ", 1) for line in done.stdout.splitlines())
+    assert lines["numpy"] == np.__version__ and "kernel_api" in lines["kernel"]
+    assert lines["CAD worker"].endswith("sheetmorph-cad")
+    assert lines["Xvfb"] == "missing, needed for pictures; install xvfb"
+    assert lines["FreeCAD add-on"].startswith("0.0.9") and "./sheetmorph install" in done.stdout
+
+
+def test_an_installation_without_a_kernel_is_an_error(tmp_path: Path):
+    found = run_module("doctor", path=copied_package(tmp_path, None))
+    assert found.returncode == 2 and found.stderr == ""
+    assert "./sheetmorph build" in found.stdout
 
 
 @pytest.mark.parametrize("arguments", [["nowhere.stl"], ["--tolerance", "-1", "x.stl"]])

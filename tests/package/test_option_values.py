@@ -59,6 +59,10 @@ def test_every_order_of_a_line_means_the_same(name: str):
             len(group) == 1 and group[0] in optional for group in groups
         ):
             continue  # such a line may be unclear, which another test is about
+        if any(a.nargs == "*" for a in places) and any(
+            g[0] in optional and not g[1:] for g in groups
+        ):
+            continue  # a bare --json takes the next word where no file is needed
         files = [a.choices[0] if a.choices else f"{k}.json" for k, a in enumerate(places)]
         clear = [["=".join(g)] if g[0] in optional and len(g) == 2 else g for g in groups]
         clear = [[f"{g[0]}={_const(options, g[0])}"] if g[0] in optional else g for g in clear]
@@ -101,7 +105,8 @@ def test_an_option_of_one_name_means_the_same_everywhere():
                 shapes.setdefault(option, {})[name] = shape
     unlike = {option: found for option, found in shapes.items() if len(set(found.values())) > 1}
     assert unlike == {}
-    assert set(shapes["--json"]) == {"run", "check", "certify"}
+    for option in ("--json", "--report", "--quiet", "--force"):
+        assert set(shapes[option]) == set(commands())
 
 
 def test_json_is_the_result_in_a_file_or_on_stdout(
@@ -124,6 +129,80 @@ def test_json_is_the_result_in_a_file_or_on_stdout(
     assert main([*run, "--json", "a.json", "--report", "b.json"]) == 2
     assert "leave out one" in capsys.readouterr().err
     assert STDOUT == "-" and not (folder / STDOUT).exists()
+
+
+STUDY = {
+    "sheetmorph_study": 1,
+    "recipe": "recipe.json",
+    "parameters": {"lift": {"path": "pose.tip.translation[2]", "values": [1, 2]}},
+    "measure": {"tip": {"position": "tip"}},
+}
+# A command, and a key of its result.
+RESULTS = [
+    (["doctor", "plate.obj"], "files"),
+    (["doctor"], "installation"),
+    (["find", "plate.obj"], "features"),
+    (["init", "plate.obj"], "parts"),
+    (["init", "plate.obj", "-o", "new.toml"], "parts"),
+    (["resolve", "recipe.json"], "parts"),
+    (["flatten", "plate.obj"], "blanks"),
+    (["copy", "plate.obj", "-o", "same"], "files"),
+    (["schema", "study"], "properties"),
+    (["show", "recipe.json", "-o", "new.png"], "files"),
+    (["study", "study.json", "-o", "variants"], "runs"),
+]
+
+
+@pytest.mark.parametrize(("line", "key"), RESULTS)
+def test_every_command_gives_its_result_as_json(
+    line: list[str], key: str, folder: Path, capsys: pytest.CaptureFixture[str]
+):
+    (folder / "study.json").write_text(json.dumps(STUDY))
+    assert main([*line, "--quiet", "--force", "--json", "result.json"]) == 0
+    assert capsys.readouterr().out
+    kept = json.loads((folder / "result.json").read_text())
+    assert main([*line, "--quiet", "--force", "--json=-", "--report", "other.json"]) == 0
+    assert json.loads(capsys.readouterr().out).keys() == kept.keys() and kept[key]
+    assert json.loads((folder / "other.json").read_text()).keys() == kept.keys()
+    assert main([*line, "--quiet", "--force", "--report", "-"]) == 0
+    assert json.loads(capsys.readouterr().out).keys() == kept.keys()
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        (["doctor", "--json", "plate.obj"], "name of a part"),
+        (["doctor", "--force", "plate.obj", "--json", "plate.obj"], "name of a part"),
+        (["find", "plate.obj", "-o", "new.json", "--json", "new.json"], "-o names it already"),
+        (["copy", "plate.obj", "-o", "same", "--json", "recipe.json"], "did not write"),
+        (["resolve", "recipe.json", "--force", "--json", "recipe.json"], "also reads it"),
+        (["schema", "--json", "no/folder/a.json"], "its folder does not exist"),
+        (["schema", "--json", "a.json", "--report", "b.json"], "leave out one"),
+    ],
+)
+def test_a_result_is_written_over_no_input(
+    line: list[str], message: str, folder: Path, capsys: pytest.CaptureFixture[str]
+):
+    before = {path: path.read_bytes() for path in folder.iterdir()}
+    assert main(line) == 2
+    error = capsys.readouterr().err
+    assert message in error and error.count("\n") == 1
+    assert {path: path.read_bytes() for path in folder.iterdir()} == before
+
+
+def test_a_value_with_a_choice_is_no_file():
+    found = read(["schema", "--json", "study"])
+    assert (found["of"], found["json"]) == ("study", STDOUT)
+    assert read(["completion", "--json", "zsh"])["shell"] == "zsh"
+
+
+@pytest.mark.parametrize("name", sorted(commands()))
+def test_a_help_page_has_one_sentence_and_an_example_that_is_understood(name: str):
+    command = commands()[name]
+    assert command.description.endswith(".") and ". " not in command.description
+    example = command.epilog.removeprefix("Example: ") % {"prog": f"sheetmorph {name}"}
+    assert read(example.split()[1:])["command"] == name
+    assert f"\n    {name} " in PARSER.format_help()
 
 
 def test_a_certificate_that_fails_is_printed_all_the_same(

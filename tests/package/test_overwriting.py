@@ -62,6 +62,8 @@ COMMANDS = (
     ["flatten", "bent.stl", "--quiet", "-o", "{}"],
     ["flatten", "plate.obj", "--quiet", "-o", "{}"],
     ["init", "plate.obj", "--quiet", "-o", "{}"],
+    ["doctor", "plate.obj", "--json", "{}"],
+    ["find", "plate.obj", "--report", "{}"],
     ["copy", "plate.obj", "bent.stl", "-o", "{folder}"],
     ["certify", "recipe.json", "run", "--json", "{}"],
     ["certify", "recipe.json", "run", "--criteria", "criteria.json", "--page", "{}"],

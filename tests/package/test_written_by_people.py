@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import tomllib
 from pathlib import Path
 
 import jsonschema
@@ -12,10 +13,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plates import save_recipe
+import sheetmorph
+from sheetmorph.base.errors import FileError, RecipeError
+from sheetmorph.certifying import read_criteria
 from sheetmorph.cli import main
-from sheetmorph.base.errors import RecipeError
 from sheetmorph.files.comments import plain_json
 from sheetmorph.recipe.reading import read_json
+from sheetmorph.recipe.writing import recipe_text
+from sheetmorph.study.reading import read_study
 
 VALUES = st.recursive(
     st.none() | st.booleans() | st.integers(-9, 9) | st.text('ab/*,"\\]}', max_size=6),
@@ -141,3 +146,34 @@ def test_schema_prints_what_editors_need(folder: Path, capsys):
     recipe = json.loads(Path("recipe.json").read_text())
     save_recipe({"$schema": "recipe.schema.json", **recipe}, folder)
     assert main(["check", "recipe.json"]) == 0
+
+
+def test_every_recipe_is_read_and_written_in_toml_too(folder: Path):
+    assert main(["resolve", "recipe.json", "-o", "ids.toml", "--quiet"]) == 0
+    assert main(["resolve", "recipe.json", "-o", "ids.json", "--quiet"]) == 0
+    assert read_json("ids.toml") == read_json("ids.json")
+    morph = sheetmorph.open("plate.obj").fix([0]).handle([5], name="tip")
+    morph.save("saved.toml")
+    morph.save("saved.json")
+    assert read_json("saved.toml") == read_json("saved.json") == morph.recipe
+    assert Path("saved.toml").read_text().startswith("sheetmorph = 1\n")
+    Path("ours.toml").write_text("[elements.min_angle]\nmin = 1.0\n")
+    assert read_criteria("ours.toml").elements == {"min_angle": {"min": 1.0}}
+    Path("bad.toml").write_text("elements = ")
+    with pytest.raises(FileError, match="it is not TOML"):
+        read_criteria("bad.toml")
+    Path("study.toml").write_text(
+        'sheetmorph_study = 1\nrecipe = "recipe.json"\n'
+        "parameters = { lift = { values = [1, 2] } }\n"
+    )
+    assert read_study("study.toml").names == ["lift"]
+
+
+@given(
+    st.dictionaries(
+        st.text(max_size=4), VALUES.filter(lambda value: "null" not in json.dumps(value))
+    )
+)
+def test_what_is_written_is_read_back(recipe: dict):
+    assert json.loads(recipe_text(recipe)) == recipe
+    assert tomllib.loads(recipe_text(recipe, "a.toml")) == recipe

@@ -38,6 +38,7 @@ try_debian_package() {
     dpkg -i ./sheetmorph_*.deb
     morph_on_the_command_line sheetmorph
     morph_in_freecad /usr/
+    sheetmorph doctor || fail "the installation has a fault"
     zcat /usr/share/man/man1/sheetmorph.1.gz | grep -q 'sheetmorph' || fail "no manual page"
     bash -c '. /usr/share/bash-completion/completions/sheetmorph && complete -p sheetmorph'
     cp -r "$example" examples # for those that come without

@@ -43,8 +43,9 @@ def _command(name: str, said: str, parser: argparse.ArgumentParser) -> str:
     ]
     usage = parser.format_usage().strip()
     head = ["| argument | meaning |", "|---|---|"] if rows else []
-    lines = [f"## `{name}`", "", _sentence(said), "", "```text", usage, "```", "", *head, *rows, ""]
-    return "\n".join(lines)
+    example = (parser.epilog or "").removeprefix("Example: ") % {"prog": parser.prog}
+    lines = [f"## `{name}`", "", _sentence(said), "", "```text", usage, "```", ""]
+    return "\n".join([*lines, f"Example: `{example}`", "", *head, *rows, ""])
 
 
 def _invocation(action: argparse.Action) -> str:

@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from ..base.errors import FileError
 from ..base.packaged import packaged_json
-from ..files.comments import plain_json
+from ..files.comments import is_toml, parsed
 from ..files.reading import read_text
 from ..measuring.quality import MEASURES
 
@@ -40,19 +39,20 @@ def shipped() -> dict[str, Any]:
 
 
 def read_criteria(name: str | Path | None) -> Criteria:
-    """Return a set by its name, or the criteria of a JSON file. Raises FileError."""
+    """Return a set by its name, or the criteria of a JSON or TOML file. Raises FileError."""
     sets = shipped()
     if name is None or str(name) in sets:
         key = "standard" if name is None else str(name)
         return _criteria(Path(key), key, sets[key])
     path = Path(name)
     try:
-        found = json.loads(plain_json(read_text(path)))
+        found = parsed(read_text(path), path)
     except OSError as error:
         todo = f"name a file, or one of the sets {', '.join(sets)}"
         raise FileError.of(path, error, todo) from None
     except ValueError as error:
-        raise FileError(path, f"it is not JSON ({error})", "correct it") from None
+        form = "TOML" if is_toml(path) else "JSON"
+        raise FileError(path, f"it is not {form} ({error})", "correct it") from None
     if not isinstance(found, dict):
         raise FileError(path, "criteria must be an object", 'write {"elements": {...}}')
     base = found.get("set", "")

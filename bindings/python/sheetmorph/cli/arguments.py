@@ -7,17 +7,46 @@ import argparse
 import math
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 from ..base.version import __version__
 from ..base.file_unit import UNITS
 from .parsing import STDOUT, Parser
 
-_POSE_HELP = (
-    "name of one of the recipe's poses, or a JSON file with a pose (default: the recipe's pose)"
-)
+_Commands = Mapping[str, argparse.ArgumentParser]
+_POSE_HELP = "name of one of the recipe's poses, or a file with a pose (default: the recipe's pose)"
+COMMANDS = {
+    "Begin": {
+        "init": ("write a first recipe for files, to be edited", "cover.step -o recipe.json"),
+        "show": ("draw the regions and motions of a recipe", "recipe.json -o recipe.png"),
+        "find": ("find the features and contacts of mesh files", "a.obj b.obj -o found.json"),
+        "doctor": (
+            "describe meshes and their faults; without a file, check the installation",
+            "a.stl",
+        ),
+    },
+    "Deform": {
+        "check": ("do all that run does, but write nothing", "recipe.json"),
+        "run": ("deform the parts of a recipe and write them", "recipe.json -o deformed"),
+        "certify": ("certify the folder that a run wrote", "recipe.json deformed"),
+        "study": ("compute, certify and tabulate variants of a recipe", "study.json -o variants"),
+    },
+    "Convert": {
+        "resolve": ("print a recipe with vertex ids in place of its selectors", "recipe.json"),
+        "flatten": (
+            "flatten a bent sheet: blank, bend lines, bend table",
+            "angle.step -o blank.dxf",
+        ),
+        "copy": ("read decks, meshes or joint files and write them unchanged", "a.bdf -o same"),
+    },
+    "Help": {
+        "schema": ("print a JSON Schema", "study"),
+        "completion": ("print a script that completes command lines in a shell", "bash"),
+    },
+}
+"""Heading -> command -> what it does, and the arguments of an example."""
+SHELLS = ("bash", "zsh", "fish")
 _ENGINES = ("local", "processes", "dask", "slurm", "snakemake")
 _SCHEMAS = ("recipe", "report", "find", "doctor", "certificate", "study")
 # Command-line option, name in FindOptions, type, help.
@@ -72,56 +101,74 @@ MESH_SIZES = (
 )
 
 
+class Grouped(argparse.HelpFormatter):
+    """Lists the commands under the headings of COMMANDS."""
+
+    def _format_action(self, action: argparse.Action) -> str:
+        if not isinstance(action, argparse._SubParsersAction):
+            return super()._format_action(action)
+        entries = {entry.dest: entry for entry in action._get_subactions()}
+        lines = []
+        room = max(map(len, entries)) + self._current_indent + self._indent_increment
+        self._action_max_length = max(self._action_max_length, room)
+        for heading, names in COMMANDS.items():
+            lines.append(f"{'':{self._current_indent}}{heading}\n")
+            self._indent()
+            lines += [self._format_action(entries[name]) for name in names]
+            self._dedent()
+        return "".join(lines)
+
+
 def parser() -> argparse.ArgumentParser:
     """Return the argument parser, from which manual page and shell completion are generated."""
     started = Path(sys.argv[0]).name
     parser = Parser(
+        formatter_class=Grouped,
         prog="python3 -m sheetmorph" if started == "__main__.py" else started,
         description="Deform sheet-metal parts by a recipe; form features stay rigid.",
         epilog="Exit status: 0 done; 2 bad input, nothing written; 3 a certificate fails; "
         "130 interrupted.",
     )
     parser.add_argument("--version", action="version", version=f"sheetmorph {__version__}")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    run = commands.add_parser("run", help="deform the parts of a recipe and write them")
-    check = commands.add_parser("check", help="do all that run does, but write nothing")
-    _add_resolve_arguments(commands)
+    commands = parser.add_subparsers(
+        dest="command", required=True, metavar="COMMAND", title="commands"
+    )
+    for name, (text, example) in (one for group in COMMANDS.values() for one in group.items()):
+        description, epilog = f"{text[0].upper()}{text[1:]}.", f"Example: %(prog)s {example}"
+        commands.add_parser(name, help=text, description=description, epilog=epilog)
+    run, check = commands.choices["run"], commands.choices["check"]
     for command in (run, check):
-        command.add_argument("recipe", help="JSON or TOML file; the part files are relative to it")
-        text = "folder for the parts"
-        command.add_argument("-o", "--output", required=command is run, metavar="DIR", help=text)
-        command.add_argument("--pose", metavar="POSE", help=_POSE_HELP)
-        text = "also write the parts of CAD files as STEP"
-        command.add_argument("--step", action="store_true", help=text)
-        command.add_argument("--report", metavar="FILE", help="where to write the report (JSON)")
-        text = "write before.png and after.png next to the parts"
-        command.add_argument("--pictures", action="store_true", help=text)
-        text = "exit with status 3 on warnings, such as open contacts"
-        command.add_argument("--strict", action="store_true", help=text)
-        command.add_argument("--quiet", action="store_true", help="do not print progress to stderr")
-    _add_doctor(commands)
-    _add_find_arguments(commands)
-    _add_flatten_arguments(commands)
-    _add_certify_arguments(commands, (run, check))
-    _add_recipe_commands(commands)
-    _add_study_arguments(commands)
-    _add_json_argument([commands.choices[name] for name in ("run", "check", "certify")])
-    _add_force(commands)
+        _add_run_arguments(command, is_writing=command is run)
+    for add in (_add_begin, _add_find, _add_flatten, _add_study, _add_help):
+        add(commands.choices)
+    _add_certify(commands.choices, (run, check))
+    for command in commands.choices.values():
+        _add_common(command)
     return parser
 
 
-def _add_doctor(commands: Any) -> None:
-    doctor = commands.add_parser("doctor", help="describe meshes and their faults")
-    doctor.add_argument("files", nargs="+", metavar="FILE", help="mesh file")
-    text = "merge distance of vertices, mm (default: a millionth of the size)"
-    doctor.add_argument("--tolerance", type=_length, metavar="MM", help=text)
-    _add_unit_argument(doctor)
+def _add_run_arguments(command: argparse.ArgumentParser, *, is_writing: bool) -> None:
+    """Add the arguments of `run` and `check`."""
+    command.add_argument("recipe", help="JSON or TOML file; the part files are relative to it")
+    text = "folder for the parts"
+    command.add_argument("-o", "--output", required=is_writing, metavar="DIR", help=text)
+    command.add_argument("--pose", metavar="POSE", help=_POSE_HELP)
+    text = "also write the parts of CAD files as STEP"
+    command.add_argument("--step", action="store_true", help=text)
+    text = "write before.png and after.png next to the parts"
+    command.add_argument("--pictures", action="store_true", help=text)
+    text = "exit with status 3 on warnings, such as open contacts"
+    command.add_argument("--strict", action="store_true", help=text)
 
 
-def _add_force(commands: Any) -> None:
+def _add_common(command: argparse.ArgumentParser) -> None:
+    """Add the options that mean the same in every command."""
+    text = "write the result as JSON to FILE, or to stdout in place of the text"
+    command.add_argument("--json", nargs="?", const=STDOUT, metavar="FILE", help=text)
+    command.add_argument("--report", metavar="FILE", help="another name of --json FILE")
+    command.add_argument("--quiet", action="store_true", help="do not print progress to stderr")
     text = "also overwrite files that SheetMorph did not write"
-    for name in ("run", "check", "resolve", "find", "flatten", "copy", "certify", "show", "study"):
-        commands.choices[name].add_argument("--force", action="store_true", help=text)
+    command.add_argument("--force", action="store_true", help=text)
 
 
 def _length(text: str) -> float:
@@ -131,18 +178,9 @@ def _length(text: str) -> float:
     return value
 
 
-def _add_resolve_arguments(commands: Any) -> None:
-    """Add `resolve` to the commands of a parser."""
-    text = "print a recipe with vertex ids in place of its selectors"
-    resolve = commands.add_parser("resolve", help=text)
-    resolve.add_argument("recipe", help="JSON file; the part files are relative to it")
-    resolve.add_argument("-o", "--output", metavar="FILE", help="write to FILE instead of printing")
-    resolve.add_argument("--quiet", action="store_true", help="do not print progress to stderr")
-
-
-def _add_find_arguments(commands: Any) -> None:
-    """Add `find` to the commands of a parser."""
-    find = commands.add_parser("find", help="print the features and contacts of mesh files as JSON")
+def _add_find(commands: _Commands) -> None:
+    """Add the arguments of `find`."""
+    find = commands["find"]
     find.add_argument("files", nargs="+", metavar="FILE", help="mesh files of one assembly")
     ways = ("auto", "components", "property", "none")
     find.add_argument(
@@ -162,10 +200,9 @@ def _add_find_arguments(commands: Any) -> None:
     find.add_argument("-o", "--output", metavar="FILE", help="write to FILE instead of printing")
 
 
-def _add_flatten_arguments(commands: Any) -> None:
-    """Add `flatten` to the commands of a parser."""
-    text = "flatten a bent sheet: blank, bend lines, bend table (kinematic, no forming simulation)"
-    flatten = commands.add_parser("flatten", help=text)
+def _add_flatten(commands: _Commands) -> None:
+    """Add the arguments of `flatten`."""
+    flatten = commands["flatten"]
     flatten.add_argument("file", metavar="FILE", help="mesh of an open sheet or a thin solid")
     text = "folder for DXF, SVG, OBJ and JSON, or one file .dxf, .svg, .obj or .json"
     flatten.add_argument("-o", "--output", metavar="OUT", help=text)
@@ -177,7 +214,6 @@ def _add_flatten_arguments(commands: Any) -> None:
     flatten.add_argument("--limit", type=_positive, default=1.0, metavar="PERCENT", help=text)
     text = "merge vertices closer than this first, for files that are cut along faces"
     flatten.add_argument("--weld", type=_positive, metavar="MM", help=text)
-    flatten.add_argument("--quiet", action="store_true", help="do not print progress to stderr")
 
 
 def _positive(text: str) -> float:
@@ -187,10 +223,9 @@ def _positive(text: str) -> float:
     return value
 
 
-def _add_certify_arguments(commands: Any, runs: Sequence[argparse.ArgumentParser]) -> None:
-    """Add `certify` and `copy` to a parser, and the related options to `run` and `check`."""
-    text = "a set (standard, crash, static) or a JSON file with criteria (default: standard)"
-    _add_copy_arguments(commands)
+def _add_certify(commands: _Commands, runs: Sequence[argparse.ArgumentParser]) -> None:
+    """Add the arguments of `certify` and `copy`, and the related options of `run` and `check`."""
+    text = "a set (standard, crash, static) or a file with criteria (default: standard)"
     for run in runs:
         run.add_argument(
             "--wide", action="store_true", help="write GRID cards of moved nodes in large fields"
@@ -201,57 +236,50 @@ def _add_certify_arguments(commands: Any, runs: Sequence[argparse.ArgumentParser
         )  # fmt: skip
         run.add_argument("--certify", action="store_true", help="certify the written parts")
         run.add_argument("--criteria", metavar="FILE", help=f"for --certify, {text}")
-    command = commands.add_parser("certify", help="certify the folder that a run wrote")
-    command.add_argument("recipe", help="the recipe of the run")
-    command.add_argument("folder", metavar="DIR", help="the folder that the run wrote")
-    command.add_argument("--criteria", metavar="FILE", help=text)
-    command.add_argument(
+    certify, copy = commands["certify"], commands["copy"]
+    certify.add_argument("recipe", help="the recipe of the run")
+    certify.add_argument("folder", metavar="DIR", help="the folder that the run wrote")
+    certify.add_argument("--criteria", metavar="FILE", help=text)
+    certify.add_argument(
         "--page", metavar="FILE", help="where to write the certificate as an HTML page"
     )
-    for one in (*runs, command, commands.choices["copy"]):
+    copy.add_argument("files", nargs="+", metavar="FILE", help="deck, mesh or joint file")
+    copy.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for the copies")
+    for one in (*runs, certify, copy):
         text = "read LS-DYNA decks as if *KEYWORD had this option"
         one.add_argument("--keyword", choices=("long=y", "i10=y"), help=text)
 
 
-def _add_copy_arguments(commands: Any) -> None:
-    """Add `copy` to the commands of a parser."""
-    copy = commands.add_parser(
-        "copy", help="read decks, meshes or joint files and write them unchanged"
-    )
-    copy.add_argument("files", nargs="+", metavar="FILE", help="deck, mesh or joint file")
-    copy.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for the copies")
-
-
-def _add_recipe_commands(commands: Any) -> None:
-    """Add `init`, `show` and `schema` to the commands of a parser."""
-    init = commands.add_parser("init", help="write a first recipe for files, to be edited")
+def _add_begin(commands: _Commands) -> None:
+    """Add the arguments of `init`, `show`, `resolve` and `doctor`."""
+    init, show, resolve = (commands[name] for name in ("init", "show", "resolve"))
     init.add_argument("files", nargs="+", metavar="FILE", help="mesh, deck or CAD file")
-    init.add_argument("-o", "--output", metavar="FILE", help="write to FILE instead of printing")
-    _add_unit_argument(init)
-    init.add_argument("--quiet", action="store_true", help="do not print progress to stderr")
-    show = commands.add_parser("show", help="draw the regions and motions of a recipe")
-    show.add_argument("recipe", help="JSON or TOML file")
+    text = "write to FILE instead of printing; TOML if it ends in .toml"
+    init.add_argument("-o", "--output", metavar="FILE", help=text)
+    for command in (show, resolve):
+        command.add_argument("recipe", help="JSON or TOML file; the part files are relative to it")
+    resolve.add_argument("-o", "--output", metavar="FILE", help=text)
     show.add_argument("-o", "--output", required=True, metavar="FILE", help="picture (PNG)")
-    show.add_argument(
-        "--pose",
-        metavar="NAME",
-        help="name of one of the recipe's poses (default: the recipe's pose)",
-    )
-    show.add_argument(
-        "--after", action="store_true", help="draw the deformed parts, coloured by displacement"
-    )
+    text = "name of one of the recipe's poses (default: the recipe's pose)"
+    show.add_argument("--pose", metavar="NAME", help=text)
+    text = "draw the deformed parts, coloured by displacement"
+    show.add_argument("--after", action="store_true", help=text)
     text = "view direction, from the centre to the eye (default: 0.55,-1,0.75)"
     show.add_argument("--view", type=_direction, metavar="X,Y,Z", help=text)
-    show.add_argument("--quiet", action="store_true", help="do not print progress to stderr")
-    schema = commands.add_parser("schema", help="print the JSON Schema of recipes")
-    text = "which schema (default: recipe)"
-    schema.add_argument("of", nargs="?", choices=_SCHEMAS, default="recipe", help=text)
-
-
-def _add_unit_argument(command: argparse.ArgumentParser) -> None:
-    """Add the option `--unit`, the unit of mesh files."""
+    doctor = commands["doctor"]
+    doctor.add_argument("files", nargs="*", metavar="FILE", help="mesh file")
+    text = "merge distance of vertices, mm (default: a millionth of the size)"
+    doctor.add_argument("--tolerance", type=_length, metavar="MM", help=text)
     text = "unit of the mesh files (default: the one that gives usual sizes of sheet-metal parts)"
-    command.add_argument("--unit", choices=tuple(UNITS), help=text)
+    for command in (init, doctor):
+        command.add_argument("--unit", choices=tuple(UNITS), help=text)
+
+
+def _add_help(commands: _Commands) -> None:
+    """Add the arguments of `schema` and `completion`."""
+    text = "which schema (default: recipe)"
+    commands["schema"].add_argument("of", nargs="?", choices=_SCHEMAS, default="recipe", help=text)
+    commands["completion"].add_argument("shell", choices=SHELLS, help="the shell")
 
 
 def _direction(text: str) -> tuple[float, float, float]:
@@ -266,10 +294,11 @@ def _direction(text: str) -> tuple[float, float, float]:
     return values[0], values[1], values[2]
 
 
-def _add_study_arguments(commands: Any) -> None:
-    """Add `study` to the commands of a parser."""
-    study = commands.add_parser("study", help="compute, certify and tabulate variants of a recipe")
-    study.add_argument("recipe", metavar="STUDY", help="JSON file; its recipe is relative to it")
+def _add_study(commands: _Commands) -> None:
+    """Add the arguments of `study`."""
+    study = commands["study"]
+    text = "JSON or TOML file; its recipe is relative to it"
+    study.add_argument("recipe", metavar="STUDY", help=text)
     study.add_argument("-o", "--output", metavar="DIR", help="folder for the variants")
     text = "where to compute the variants (default: local, in this process)"
     study.add_argument("--engine", choices=_ENGINES, default="local", help=text)
@@ -289,7 +318,6 @@ def _add_study_arguments(commands: Any) -> None:
         "are Dakota files or JSON"
     )
     study.add_argument("--evaluate", nargs=2, metavar=("IN", "OUT"), help=text)
-    study.add_argument("--quiet", action="store_true", help="do not print progress to stderr")
 
 
 def _count(text: str) -> int:
@@ -303,10 +331,3 @@ def _runs(text: str) -> tuple[int, int]:
     if found is None or int(found[1]) > int(found[2]):
         raise argparse.ArgumentTypeError(f"{text} is not a range of runs; give one such as 0-99")
     return int(found[1]), int(found[2])
-
-
-def _add_json_argument(commands: Sequence[argparse.ArgumentParser]) -> None:
-    """Add `--json` to commands, with the same meaning in each."""
-    text = "write the result as JSON to FILE, or to stdout in place of the text"
-    for command in commands:
-        command.add_argument("--json", nargs="?", const=STDOUT, metavar="FILE", help=text)

@@ -10,17 +10,16 @@ from typing import Any
 from ..base.words import counted
 from ..certifying import Targets, certify, read_criteria
 from ..files.atomic import FileSet
-from .output import as_json, json_file
-from .parsing import STDOUT
+from .output import Outcome, json_target
 
 NAMES = ("certificate.json", "certificate.html")
 
 
-def execute(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    """Certify and return the lines to print. Raises NotCertified."""
-    targets = Targets(json_file(wanted), None if wanted.page is None else Path(wanted.page))
+def execute(wanted: argparse.Namespace, files: FileSet) -> Outcome:
+    """Certify and return the certificate. Raises NotCertified."""
+    targets = Targets(json_target(wanted), None if wanted.page is None else Path(wanted.page))
     found = _certificate(wanted, Path(wanted.folder), targets, files)
-    return as_json(found) if wanted.json == STDOUT else _summary(found, wanted.folder)
+    return Outcome(_summary(found, wanted.folder), found)
 
 
 def _certificate(

@@ -9,27 +9,24 @@ import sys
 from ..files.atomic import FileSet
 from ..morph.running import NOT_TRIED, check
 from .certify import judged_run, require_criteria
-from .output import as_json
-from .parsing import STDOUT
+from .output import Outcome, json_target
 from .progress import progress_on
-from .run import report_of
 
 
-def execute(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
-    """Check the recipe and return the lines to print."""
+def execute(wanted: argparse.Namespace, _files: FileSet) -> Outcome:
+    """Check the recipe and return its warnings."""
     require_criteria(wanted)
     judge = (lambda folder: judged_run(wanted, folder)) if wanted.certify else None
     with progress_on(sys.stderr, wanted.quiet) as progress:
         told = check(
-            wanted.recipe, out_dir=wanted.output, pose=wanted.pose, report=report_of(wanted),
+            wanted.recipe, out_dir=wanted.output, pose=wanted.pose, report=json_target(wanted),
             strict=wanted.strict, pictures=wanted.pictures, step=wanted.step, wide=wanted.wide,
             repair=wanted.repair, judge=judge, progress=progress, force=wanted.force,
         )  # fmt: skip
     untried = [one for one in told if one.code == NOT_TRIED]
     warnings = [one for one in told if one.code != NOT_TRIED]
-    if wanted.json == STDOUT:
-        faults = [one.fault.to_json() for one in warnings]
-        found = {"valid": True, "warnings": warnings, "cautions": faults, "notes": untried}
-        return as_json(found)
+    faults = [one.fault.to_json() for one in warnings]
     verdict = "; ".join([f"{wanted.recipe}: valid", *untried])
-    return [*(f"warning: {text}" for text in warnings), verdict]
+    lines = [*(f"warning: {text}" for text in warnings), verdict]
+    found = {"valid": True, "warnings": warnings, "cautions": faults, "notes": untried}
+    return Outcome(lines, found)

@@ -12,11 +12,13 @@ from ..decks import Deck, is_deck, output_places, read_deck
 from ..files import FileSet, read_part
 from ..files.places import Places
 from ..joint_files import JointFile, is_joint_file, read_joint_file
+from .output import Outcome
 
 
-def execute(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    """Copy the files and return the lines to print."""
-    return copy_files(wanted.files, wanted.output, files)
+def execute(wanted: argparse.Namespace, files: FileSet) -> Outcome:
+    """Copy the files and return a sentence for each."""
+    told = copy_files(wanted.files, wanted.output, files)
+    return Outcome(told, {"files": told})
 
 
 def copy_files(paths: Sequence[str | Path], out: str | Path, files: FileSet) -> list[str]:

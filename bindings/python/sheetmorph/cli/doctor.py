@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command `doctor`: what meshes are and what is wrong with them."""
+"""The command `doctor`: what is wrong with meshes, or with the installation."""
 
 from __future__ import annotations
 
@@ -7,10 +7,16 @@ import argparse
 
 from ..files.atomic import FileSet
 from ..starting.doctor import diagnose_files
-from .output import as_json
+from ..starting.installation import checks
+from .output import BAD_INPUT, DONE, Outcome, as_json
 
 
-def execute(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
-    """Diagnose the files and return the lines to print."""
-    found = diagnose_files(wanted.files, wanted.tolerance, wanted.unit)
-    return as_json(found)
+def execute(wanted: argparse.Namespace, _files: FileSet) -> Outcome:
+    """Diagnose the files, or check the installation if there is none."""
+    if wanted.files:
+        found = diagnose_files(wanted.files, wanted.tolerance, wanted.unit)
+        return Outcome(as_json(found), found)
+    made = list(checks())
+    is_broken = any(check.is_error for check in made)
+    data = {"installation": [vars(check) for check in made]}
+    return Outcome([str(check) for check in made], data, BAD_INPUT if is_broken else DONE)

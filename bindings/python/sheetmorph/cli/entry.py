@@ -17,11 +17,13 @@ from ..decks.dyna import assumed_options
 from ..files.atomic import FileSet
 from ..files.signals import stopping_signals
 from .arguments import parser
-from .output import as_json, complain, say
+from .output import BAD_INPUT, NOT_CERTIFIED, Outcome
+from .output import as_json, complain, require_target, say, write_target
 from .parsing import STDOUT
 
-DONE, BAD_INPUT, NOT_CERTIFIED = 0, 2, 3
 _INTERRUPTED = 130
+# They write the file of `--json` together with their other files, or nothing.
+_OWN_TARGET = ("run", "check", "certify")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -31,19 +33,26 @@ def main(arguments: Sequence[str] | None = None) -> int:
     interrupted.
     """
     wanted = parser().parse_args(arguments)
+    if wanted.report == STDOUT:
+        wanted.json, wanted.report = STDOUT, None if wanted.json == STDOUT else wanted.json
     files = FileSet(wanted.command, force=getattr(wanted, "force", False))
     numbers = [number for number in stopping_signals() if number != signal.SIGINT]
     previous = {number: signal.signal(number, _interrupt) for number in numbers}
     try:
         with _deck_options(wanted):
-            say(_command(wanted.command)(wanted, files))
-        return DONE
+            if wanted.command not in _OWN_TARGET:
+                require_target(wanted, _inputs_of(wanted), files)
+            outcome = _command(wanted.command)(wanted, files)
+            if wanted.command not in _OWN_TARGET:
+                write_target(wanted, outcome.data, files.reads)
+            say(as_json(outcome.data) if wanted.json == STDOUT else outcome.lines)
+        return outcome.status
     except KeyboardInterrupt as stopped:
         complain(f"interrupted: {str(stopped) or _state(files)}")
         return _INTERRUPTED
     except Exception as error:  # This is the edge of the program: every error becomes a sentence.
-        found, status = _explained(error, _input_of(wanted), files)
-        if getattr(wanted, "json", None) == STDOUT:
+        found, status = _explained(error, _inputs_of(wanted)[0], files)
+        if wanted.json == STDOUT:
             _say_json(wanted.command, found, error)
         complain(str(found))
         return status
@@ -52,10 +61,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             signal.signal(number, handler)
 
 
-def _command(name: str) -> Callable[[argparse.Namespace, FileSet], list[str]]:
+def _command(name: str) -> Callable[[argparse.Namespace, FileSet], Outcome]:
     """Return the function of a command. Its module loads only now: --help answers at once."""
     module = importlib.import_module(f"{__package__}.{name}")
-    found: Callable[[argparse.Namespace, FileSet], list[str]] = module.execute
+    found: Callable[[argparse.Namespace, FileSet], Outcome] = module.execute
     return found
 
 
@@ -66,12 +75,10 @@ def _deck_options(wanted: argparse.Namespace) -> contextlib.AbstractContextManag
     return assumed_options(wanted.keyword)
 
 
-def _input_of(wanted: argparse.Namespace) -> str:
-    files = getattr(wanted, "files", None)
-    found: str = (
-        files[0] if files else getattr(wanted, "recipe", getattr(wanted, "file", wanted.command))
-    )
-    return found
+def _inputs_of(wanted: argparse.Namespace) -> list[str]:
+    """Return the files that a command names as its input, or the command if there is none."""
+    one = getattr(wanted, "recipe", getattr(wanted, "file", wanted.command))
+    return getattr(wanted, "files", None) or [one]
 
 
 def _interrupt(_number: int, _frame: FrameType | None) -> None:

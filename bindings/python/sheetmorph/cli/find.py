@@ -10,12 +10,13 @@ from ..base.words import counted
 from ..files.atomic import FileSet
 from ..finding import FindOptions, find_in_files
 from ..finding.options import HOLES, KINDS, ODD_HOLE
+from ..recipe.writing import recipe_text
 from .arguments import MESH_SIZES, SEARCH_NUMBERS
-from .output import one_line_each, write_text
+from .output import Outcome, write_text
 
 
-def execute(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    """Find features and contacts, and write the JSON or return it. Raises RecipeError."""
+def execute(wanted: argparse.Namespace, files: FileSet) -> Outcome:
+    """Find features and contacts, and write them or return them. Raises RecipeError."""
     given = {name: getattr(wanted, name) for _, name, _, _ in SEARCH_NUMBERS}
     values = {name: value for name, value in given.items() if value is not None}
     options = FindOptions(one_per_pair=wanted.one_per_pair).changed(values)
@@ -24,12 +25,12 @@ def execute(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     sizes = {name: getattr(wanted, name) for _, name, _ in MESH_SIZES}
     sizes = {name: size for name, size in sizes.items() if size is not None}
     found = find_in_files(wanted.files, _checked(options), wanted.split, sizes)
-    text = one_line_each(found)
     if wanted.output is None:
-        return [text]
-    path = write_text(wanted, text + "\n", files)
+        return Outcome([recipe_text(found).rstrip("\n")], found)
+    path = write_text(wanted, recipe_text(found, wanted.output), files)
     features = counted(len(found["features"]), "feature", "features")
-    return [f"{path}: {features}, {counted(len(found['contacts']), 'contact', 'contacts')}"]
+    contacts = counted(len(found["contacts"]), "contact", "contacts")
+    return Outcome([f"{path}: {features}, {contacts}"], found)
 
 
 def _known_kinds(kinds: list[str]) -> list[str]:

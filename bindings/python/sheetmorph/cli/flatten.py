@@ -11,12 +11,13 @@ from ..base.errors import Fault, InputError, RecipeError
 from ..files import is_cad, read_part
 from ..files.atomic import FileSet
 from ..flat import KTable, flat_patterns
-from ..flat.writing import table_of, write_patterns
+from ..flat.writing import data_of, table_of, write_patterns
 from ..starting.doctor import diagnose_file
+from .output import Outcome
 from .progress import progress_on
 
 
-def execute(wanted: argparse.Namespace, files: FileSet) -> list[str]:
+def execute(wanted: argparse.Namespace, files: FileSet) -> Outcome:
     """Flatten, write the files and return the bend tables.
 
     Raises RecipeError, FileError, NotFlat.
@@ -36,11 +37,12 @@ def execute(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     if word != "mm":
         what = f"lengths are in the unit of the file, which seems to be {word}"
         told.append(f"note: {what} ({unit['reason']}); in the written files, 1 means 1 mm")
+    data = {"unit": word, "blanks": [data_of(pattern) for pattern in patterns]}
     if output is None:
-        return told
+        return Outcome(told, data)
     try:
         files.reads += [Path(wanted.file), *([Path(wanted.k_table)] if wanted.k_table else [])]
         written = write_patterns(patterns, output, files)
     except InputError as error:
         raise RecipeError([Fault(str(output), error.what, error.todo)]) from error
-    return [*told, *(f"wrote {path}" for path in written)]
+    return Outcome([*told, *(f"wrote {path}" for path in written)], data)

@@ -7,16 +7,64 @@ import argparse
 import contextlib
 import json
 import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TextIO
 
-from ..files.atomic import FileSet
+from ..base.errors import Fault, FileError, RecipeError
+from ..files import suffixes, unpacked_name
+from ..files.atomic import FileSet, require_file_place
+from ..files.identity import is_one_of
 from .parsing import STDOUT
 
+DONE, BAD_INPUT, NOT_CERTIFIED = 0, 2, 3
 
-def json_file(wanted: argparse.Namespace) -> Path | None:
-    """Return the file that `--json` names, or None."""
-    return None if wanted.json in (None, STDOUT) else Path(wanted.json)
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a command found: lines for a person, and the same as data for `--json`."""
+
+    lines: list[str]
+    data: Any
+    status: int = DONE
+
+
+def json_target(wanted: argparse.Namespace) -> Path | None:
+    """Return the file of `--json` or of `--report`. Raises RecipeError if both name one."""
+    named = None if wanted.json in (None, STDOUT) else wanted.json
+    if named is not None and wanted.report is not None:
+        what = f"--report names {wanted.report} already"
+        raise RecipeError([Fault("--json", what, "leave out one of the two files")])
+    chosen = wanted.report if named is None else named
+    return None if chosen is None else Path(chosen)
+
+
+def require_target(wanted: argparse.Namespace, inputs: Sequence[str], files: FileSet) -> None:
+    """Check before any work that the file of `--json` may be written. Raises FileError."""
+    target = json_target(wanted)
+    if target is None:
+        return
+    files.reads += map(Path, inputs)
+    if unpacked_name(target).suffix.lower() in suffixes():
+        todo = "write --json=- for stdout, or name a file that ends in .json"
+        raise FileError(target, "it has the name of a part, which --json does not write", todo)
+    if getattr(wanted, "output", None) and is_one_of(target, [Path(wanted.output)]):
+        raise FileError(target, "-o names it already", "name another file for --json")
+    if not target.parent.is_dir():
+        raise FileError(target, "its folder does not exist", "create the folder first")
+    require_file_place(target)
+    files.require_ours(target)
+
+
+def write_target(wanted: argparse.Namespace, data: Any, read: Sequence[Path]) -> None:
+    """Write the result to the file of `--json`, if there is one. Raises FileError."""
+    target = json_target(wanted)
+    if target is not None:
+        with FileSet(wanted.command, force=wanted.force) as files:
+            files.reads += read
+            files.temporary_for(target).write_text("\n".join([*as_json(data), ""]), "utf-8")
+            files.commit()
 
 
 def as_json(found: Any) -> list[str]:
@@ -27,28 +75,11 @@ def as_json(found: Any) -> list[str]:
 def write_text(wanted: argparse.Namespace, text: str, files: FileSet) -> Path:
     """Write a text to the file of `-o` and return its path. Raises FileError."""
     path = Path(wanted.output)
-    files.reads += [Path(file) for file in wanted.files]
+    files.reads += [Path(file) for file in getattr(wanted, "files", ())]
     with files:
         files.temporary_for(path).write_text(text, "utf-8")
         files.commit()
     return path
-
-
-def one_line_each(found: dict[str, Any]) -> str:
-    """Return JSON with one line for every feature and contact, for readability."""
-    lines = []
-    for key, value in found.items():
-        rows = [json.dumps(row, ensure_ascii=False, allow_nan=False) for row in as_list(value)]
-        if rows:
-            lines.append(f"  {json.dumps(key)}: [\n    " + ",\n    ".join(rows) + "\n  ]")
-        else:
-            lines.append(f"  {json.dumps(key)}: {json.dumps(value, allow_nan=False)}")
-    return "{\n" + ",\n".join(lines) + "\n}"
-
-
-def as_list(value: Any) -> list[Any]:
-    """Return a non-empty list of objects as it is, and an empty list for any other value."""
-    return value if isinstance(value, list) and value and isinstance(value[0], dict) else []
 
 
 def say(lines: list[str]) -> None:

@@ -19,6 +19,7 @@ class Parser(argparse.ArgumentParser):
     def __init__(self, *arguments: Any, **keywords: Any):
         self._known: dict[str, argparse.Action] = {}
         self._required = 0
+        self._words: set[str] = set()  # values of an argument with choices
         super().__init__(*arguments, **keywords)
 
     def add_argument(self, *names: Any, **keywords: Any) -> argparse.Action:
@@ -27,6 +28,8 @@ class Parser(argparse.ArgumentParser):
         self._known.update(dict.fromkeys(action.option_strings, action))
         if not action.option_strings and action.nargs in (None, "+"):
             self._required += 1
+        if not action.option_strings:
+            self._words.update(action.choices or ())
         return action
 
     def parse_known_args(self, args=None, namespace=None):  # type: ignore[no-untyped-def]
@@ -39,12 +42,13 @@ class Parser(argparse.ArgumentParser):
         """Write `--option=default` where the word after an option is a required argument."""
         values, free = self._values(words)
         missing = self._required - free
-        if not values or missing <= 0:
+        named = [k for k in values if words[k + 1] in self._words]
+        if not named and (not values or missing <= 0):
             return words
-        if missing < len(values):
+        if not named and missing < len(values):
             options = " or ".join(f"{words[k]}={words[k + 1]}" for k in values)
             self.error(f"it is not clear which word is the value of an option; write {options}")
-        for k in values:
+        for k in named or values:
             action = self._action(words[k])
             words[k] = f"{words[k]}={action.const}" if action is not None else words[k]
         return words

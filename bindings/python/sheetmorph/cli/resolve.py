@@ -11,11 +11,12 @@ from typing import Any
 
 from ..files.atomic import FileSet
 from ..morph.running import resolve
-from .output import one_line_each
+from ..recipe.writing import recipe_text
+from .output import Outcome, write_text
 from .progress import progress_on
 
 
-def execute(wanted: argparse.Namespace, files: FileSet) -> list[str]:
+def execute(wanted: argparse.Namespace, files: FileSet) -> Outcome:
     """Resolve the recipe and write it, or return it. Raises RecipeError, FileError."""
     remarks: list[str] = []
     with progress_on(sys.stderr, wanted.quiet) as progress:
@@ -23,15 +24,13 @@ def execute(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     for remark in remarks:
         print(f"warning: {remark}", file=sys.stderr)
     if wanted.output is None:
-        return [one_line_each(recipe)]
+        return Outcome([recipe_text(recipe).rstrip("\n")], recipe)
     path, source = Path(wanted.output), Path(wanted.recipe)
     files.reads.append(source)
     files.reads += (source.parent / part["file"] for part in recipe["parts"] if "file" in part)
-    with files:
-        text = one_line_each(_seen_from(recipe, source.parent, path.parent))
-        files.temporary_for(path).write_text(text + "\n", "utf-8")
-        files.commit()
-    return [f"{path}: {wanted.recipe} with vertex ids"]
+    recipe = _seen_from(recipe, source.parent, path.parent)
+    write_text(wanted, recipe_text(recipe, path), files)
+    return Outcome([f"{path}: {wanted.recipe} with vertex ids"], recipe)
 
 
 def _seen_from(recipe: dict[str, Any], old: Path, new: Path) -> dict[str, Any]:

@@ -4,9 +4,11 @@
 from __future__ import annotations
 
 import argparse
+import json
 
 from ..base.packaged import packaged_text
 from ..files.atomic import FileSet
+from .output import Outcome
 
 _ROOMS = {
     "certificate": "certifying",
@@ -18,7 +20,8 @@ _ROOMS = {
 }
 
 
-def execute(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
-    """Return the lines of the schema."""
+def execute(wanted: argparse.Namespace, _files: FileSet) -> Outcome:
+    """Return the schema."""
     package = f"sheetmorph.{_ROOMS[wanted.of]}"
-    return packaged_text(package, f"{wanted.of}.schema.json").splitlines()
+    text = packaged_text(package, f"{wanted.of}.schema.json")
+    return Outcome(text.splitlines(), json.loads(text))

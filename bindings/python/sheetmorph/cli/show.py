@@ -8,14 +8,15 @@ import sys
 
 from ..files.atomic import FileSet
 from ..morph.showing import show
+from .output import Outcome
 from .progress import progress_on
 
 
-def execute(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    """Draw the recipe and return the lines to print."""
+def execute(wanted: argparse.Namespace, files: FileSet) -> Outcome:
+    """Draw the recipe and return the name of the picture."""
     with progress_on(sys.stderr, wanted.quiet) as progress:
         show(
             wanted.recipe, wanted.output, wanted.pose, after=wanted.after, view=wanted.view,
             files=files, progress=progress,
         )  # fmt: skip
-    return [f"{wanted.output}: written"]
+    return Outcome([f"{wanted.output}: written"], {"files": [wanted.output]})

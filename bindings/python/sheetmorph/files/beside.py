@@ -3,13 +3,11 @@
 
 from __future__ import annotations
 
-import json
-import tomllib
 from collections.abc import Collection
 from pathlib import Path
 
 from ..base.errors import FileError
-from .comments import plain_json
+from .comments import parsed
 from .reading import read_text
 
 
@@ -38,8 +36,7 @@ def _read_by(path: Path) -> set[Path]:
     """Return the mesh files of a recipe, or an empty set for any other file."""
     try:
         text = read_text(path)
-        is_toml = path.suffix.lower() == ".toml"
-        recipe = tomllib.loads(text) if is_toml else json.loads(plain_json(text))
+        recipe = parsed(text, path)
     except (OSError, ValueError, RecursionError):
         return set()
     parts = recipe.get("parts") if isinstance(recipe, dict) and "sheetmorph" in recipe else None

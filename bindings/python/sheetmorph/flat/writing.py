@@ -172,8 +172,13 @@ def obj_of(pattern: FlatPattern) -> str:
 
 def json_of(pattern: FlatPattern) -> str:
     """Return all figures of a blank as JSON."""
+    return json.dumps(data_of(pattern), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def data_of(pattern: FlatPattern) -> dict[str, Any]:
+    """Return all figures of a blank."""
     largest, most = pattern.residual()
-    found = {
+    return {
         "name": pattern.name,
         "size": pattern.size,
         "thickness": pattern.thickness,
@@ -201,7 +206,6 @@ def json_of(pattern: FlatPattern) -> str:
         ],
         "notes": pattern.notes,
     }
-    return json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def _side(bend: Bend) -> str:

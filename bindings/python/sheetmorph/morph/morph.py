@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Sequence
 from pathlib import Path
@@ -23,6 +22,7 @@ from ..recipe.model import model_of
 from ..recipe.parts import Parts, read_parts
 from ..recipe.plain import plain
 from ..recipe.structure import pose_faults
+from ..recipe.writing import recipe_text
 from ..selecting.words import Region, Vector
 from .running import run
 from .session import Result, Session
@@ -310,7 +310,7 @@ class Morph:
         Parameters
         ----------
         path : str or path
-            The recipe file.
+            The recipe file, in TOML if it ends in .toml and otherwise in JSON.
         force : bool
             Overwrite a file that SheetMorph did not write.
 
@@ -321,9 +321,8 @@ class Morph:
         """
         target = Path(path)
         with FileSet("recipe", force=force) as files:
-            recipe = self._seen_from(target.parent)
-            text = json.dumps(recipe, indent=2, ensure_ascii=False, allow_nan=False)
-            files.temporary_for(target).write_text(text + "\n", "utf-8")
+            text = recipe_text(self._seen_from(target.parent), target)
+            files.temporary_for(target).write_text(text, "utf-8")
             files.commit()
 
     def write(self, folder: str | os.PathLike[str], *, force: bool = False) -> dict[str, Any]:

@@ -14,7 +14,7 @@ from typing import Any
 
 from ..base.errors import Fault, RecipeError
 from ..files import suffixes, unpacked_name
-from ..files.comments import plain_json
+from ..files.comments import is_toml, plain_json
 from ..files.reading import read_text
 from .lines import Lines, repeated_key
 
@@ -29,7 +29,7 @@ def read_json(path: str | Path) -> Any:
     """
     _refuse_part(path)
     text = _text_of(path)
-    if Path(path).suffix.lower() == ".toml":
+    if is_toml(path):
         return _read_toml(path, text)
     try:
         return json.loads(plain_json(text), object_pairs_hook=_without_repeats)
@@ -68,10 +68,9 @@ def named_in(path: Path) -> Iterator[None]:
 
 def _with_lines(path: str | Path, faults: Sequence[Fault]) -> list[Fault]:
     """Return the faults with the line of each entry; faults without one stay unchanged."""
-    is_toml = Path(path).suffix.lower() == ".toml"
     try:
         text = _text_of(path)
-        lines = Lines(text if is_toml else plain_json(text), read_json(path), is_toml)
+        lines = Lines(text if is_toml(path) else plain_json(text), read_json(path), is_toml(path))
     except RecipeError:  # the file changed in the meantime
         return list(faults)
     return [lines.of(fault) for fault in faults]

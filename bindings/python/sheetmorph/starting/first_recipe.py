@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import json
 import os
-import re
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -28,6 +26,7 @@ from ..finding.options import USUAL_FEATURES
 from ..finding.reading import connections_of, find_parts
 from ..recipe.model import model_of
 from ..recipe.parts import Parts, read_parts
+from ..recipe.writing import json_value, toml_value
 from .advice import missing_findings, unit_word
 from .doctor import diagnose_file
 
@@ -163,7 +162,7 @@ def _json_text(keys: list[Key]) -> str:
     lines = [f"// {text}" for text in keys[0].comments] + ["{"]
     for number, key in enumerate(keys):
         lines += [f"  // {text}" for text in key.comments if number]
-        lines += _value_lines(key, f'  "{key.name}": ', "//", _json)
+        lines += _value_lines(key, f'  "{key.name}": ', "//", json_value)
         lines[-1] += "," if number + 1 < len(keys) else ""
     return "\n".join([*lines, "}"]) + "\n"
 
@@ -173,7 +172,7 @@ def _toml_text(keys: list[Key]) -> str:
     lines = []
     for key in keys:
         lines += [f"# {text}" for text in key.comments]
-        lines += _value_lines(key, f"{key.name} = ", "#", _toml)
+        lines += _value_lines(key, f"{key.name} = ", "#", toml_value)
     return "\n".join(lines) + "\n"
 
 
@@ -275,20 +274,3 @@ def _counts(features: list[dict[str, Any]], kinds: Sequence[str]) -> str:
     counts = Counter(entry["kind"] for entry in features)
     told = [counted(counts[kind], kind, f"{kind}s") for kind in kinds if counts[kind]]
     return ", ".join(told) or "no holes"
-
-
-def _toml(value: Any) -> str:
-    """Return a value as TOML, with inline tables."""
-    if isinstance(value, dict):
-        return "{ " + ", ".join(f"{_bare(key)} = {_toml(one)}" for key, one in value.items()) + " }"
-    if isinstance(value, list):
-        return "[" + ", ".join(map(_toml, value)) + "]"
-    return _json(value).replace("\x7f", "\\u007f")
-
-
-def _bare(key: str) -> str:
-    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else _json(key)
-
-
-def _json(value: Any) -> str:
-    return json.dumps(value, ensure_ascii=False, allow_nan=False)

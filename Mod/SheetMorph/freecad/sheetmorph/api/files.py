@@ -89,8 +89,8 @@ def is_deck(path: str | os.PathLike) -> bool:
 def in_the_way(assembly, place: str | os.PathLike) -> list[Path]:
     """Return the existing files that a write would need `force` to overwrite.
 
-    The path is a folder for `write_parts` and `certify`, or a file with the suffix .json for
-    `export_recipe`.
+    The path is a folder for `write_parts` and `certify`, or a file with the suffix .json or
+    .toml for `export_recipe`.
     """
     require_assembly(assembly)
     return written.in_the_way(assembly, solving.read_morph(assembly), Path(place))
@@ -137,7 +137,7 @@ def export_recipe(assembly, path: str | os.PathLike, *, force: bool = False) -> 
     assembly : object
         The assembly.
     path : str or path
-        The recipe file.
+        The recipe file, in TOML if it ends in .toml and otherwise in JSON.
     force : bool
         Overwrite files that SheetMorph did not write.
 

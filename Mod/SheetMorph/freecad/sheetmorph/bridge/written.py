@@ -27,7 +27,7 @@ def in_the_way(assembly, morph, place: Path) -> list[Path]:
     `place` is a folder for parts and their certificate, or the file of a recipe.
     """
     ledger = kernel.load().files.ledger.Ledger()
-    if place.suffix.lower() == ".json":
+    if place.suffix.lower() in (".json", ".toml"):
         by, folder = "recipe", place.parent
         names = [place.name, *recipes.beside_of(assembly)[1]]
     else:
@@ -158,10 +158,9 @@ def write_recipe(
         _, _, meshes = write_files(files, assembly, morph, (path.parent, rests))
         for name, text in texts.items():
             files.temporary_for(path.parent / name).write_bytes(text.encode("latin-1"))
-        text = json.dumps(
-            worded.worded(assembly, recipe, worded.Written(morph, meshes, placed)), indent=1
-        )
-        files.temporary_for(path).write_text(text + "\n", encoding="utf-8")
+        recipe = worded.worded(assembly, recipe, worded.Written(morph, meshes, placed))
+        text = kernel.load().recipe.writing.recipe_text(recipe, path)
+        files.temporary_for(path).write_text(text, encoding="utf-8")
         files.commit()
     return path
 

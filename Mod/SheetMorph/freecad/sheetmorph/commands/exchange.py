@@ -12,7 +12,7 @@ from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
 QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
-RECIPES = "Recipes (*.json)"
+RECIPES = "Recipes (*.json *.toml)"
 MOST_NAMES = 8
 CRITERIA = ["standard", "crash", "static"]
 

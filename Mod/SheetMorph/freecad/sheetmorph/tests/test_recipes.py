@@ -125,6 +125,8 @@ class TestPlacement(RecipeTest):
         again = package.recipe.placement.Placement.of_entry(recipe["parts"][0]["placement"])
         self.assertLess(support.largest(again.placed(points) - there), 1e-9)
         self.assertIn("box", json.dumps(recipe["fixed"][0]["where"]))
+        in_toml = api.export_recipe(assembly, self.path("recipe", "recipe.toml"))
+        self.assertEqual(package.recipe.read_json(in_toml), recipe)
         with open(self.path("strip.obj"), "rb") as one:
             with open(self.path("recipe", "strip.obj"), "rb") as other:
                 self.assertEqual(other.read(), one.read())
