@@ -36,8 +36,9 @@ def delete(*objects):
 
 
 def menu_of(obj) -> dict:
-    """The entries that our view provider adds to a context menu, by text."""
+    """The entries that our view provider adds to a context menu, by text; a right click selects."""
     menu = QtGui.QMenu()
+    select(obj)
     obj.ViewObject.Proxy.setupContextMenu(obj.ViewObject, menu)
     entries = {action.text(): action for action in menu.actions() if action.text()}
     entries["menu"] = menu  # kept: the actions die with it
@@ -130,14 +131,20 @@ def test_a_renamed_region_is_edited_by_a_double_click():
 def test_the_context_menu_of_a_part_marks_a_region_on_it():
     yield from new_assembly(is_joined=True)
     bracket = labelled("bracket")
+    assert "Set as Primary" not in menu_of(part())
     entries = menu_of(bracket)
-    assert entries["Set as Primary"].isEnabled()
+    assert "Set as Primary" in entries and "Follow Shape" not in entries
     entries["Mark Follower…"].trigger()
     yield from settled()
     assert bracket.Label in child("part").text()
     yield from press("Cancel")
-    assert "Edit Region…" in menu_of(regions("fixed")[0])
-    assert "Edit Contact…" in menu_of(contacts()[0])
+    assert {"menu", "Edit Region…"} == set(menu_of(regions("fixed")[0]))
+    assert {"Edit Region…", "Move Handle…"} < set(menu_of(regions("handle")[0]))
+    (contact,) = contacts()
+    menu_of(contact)["Toggle Contact"].trigger()
+    yield from settled()
+    assert not contact.Active and App.ActiveDocument.UndoNames == ["Toggle Contact"]
+    assert "Edit Contact…" in menu_of(contact)
 
 
 def places_in_tree() -> dict:

@@ -18,17 +18,35 @@ __all__ = ["test_the_tutorial_as_a_new_user_does_it"]
 
 def menu(*texts: str, waits=settled):
     """Chooses an entry of the menu bar with the mouse, and waits for what it does: by what it
-    says, or by its command."""
+    says, or by its command. The submenu that has it is opened on the way."""
     bar = Gui.getMainWindow().menuBar()
     kept = []  # PySide takes a menu for deleted whose action it forgets
+    texts = [*texts[:-1], *way_to(texts[-1], texts[:-1], bar), texts[-1]]
     for text in texts:
-        named = [(a, (a.text().replace("&", ""), a.objectName())) for a in bar.actions()]
-        (action,) = [action for action, names in named if text in names]
+        (action,) = called(text, bar)
         middle = bar.mapToGlobal(bar.actionGeometry(action).center())
         yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
         yield from settled() if text != texts[-1] else waits()
         bar = action.menu()
         kept += [action, bar]
+
+
+def called(text: str, bar) -> list:
+    """The entries of a menu with a text or a command."""
+    return [a for a in bar.actions() if text in (a.text().replace("&", ""), a.objectName())]
+
+
+def way_to(text: str, titles, bar) -> list[str]:
+    """The title of the submenu with an entry, below menus with titles; none if there is none."""
+    kept = []
+    for title in titles:
+        (action,) = called(title, bar)
+        bar = action.menu()
+        kept += [action, bar]
+    if called(text, bar):
+        return []
+    inner = [(action.text().replace("&", ""), action.menu()) for action in bar.actions()]
+    return [title for title, below in inner if below is not None and called(text, below)][:1]
 
 
 def type_and_confirm(text: str):

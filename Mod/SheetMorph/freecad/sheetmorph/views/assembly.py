@@ -2,10 +2,12 @@
 """The appearance of a morph and of its hidden deformation in the tree."""
 
 from freecad.sheetmorph.interaction.finishing import finishing
+from freecad.sheetmorph.kinds import PART, kind
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.views import menus
 from freecad.sheetmorph.views.base import FollowingView, OwnerView
+from freecad.sheetmorph.views.part import parts_of
 
 
 class AssemblyView(FollowingView, OwnerView):
@@ -19,12 +21,11 @@ class AssemblyView(FollowingView, OwnerView):
         if view_object.Object.Document.Restoring:
             finishing().look_at(view_object.Object.Document)
 
-    def doubleClicked(self, _view_object) -> bool:
-        """Open the Move Handle panel if there is a handle."""
-        handles = [r for r in model.regions(self.object) if r.Role == "handle"]
-        if handles:
-            menus.move(handles[0])
-        return bool(handles)
+    @property
+    def opened_by(self) -> str:
+        """The command that moves the first handle, empty without any."""
+        is_movable = any(region.Role == "handle" for region in model.regions(self.object))
+        return "MoveHandle" if is_movable else ""
 
     def getIcon(self) -> str:
         """Return the icon, another one for a morph that cannot be computed."""
@@ -50,10 +51,17 @@ class AssemblyView(FollowingView, OwnerView):
         except (ReferenceError, RuntimeError):
             return  # deleted meanwhile
 
-    def setupContextMenu(self, _view_object, menu) -> bool:
-        """Add the entries of a morph."""
-        menus.add_assembly_actions(menu, self.object)
-        return False
+    def setupContextMenu(self, view_object, menu) -> bool:
+        """Add an entry that shows a fault, and the commands."""
+        if model.failure_of(self.object):
+            menus.add_problem(menu)
+        return super().setupContextMenu(view_object, menu)
+
+    def claimChildren(self) -> list:
+        """Return the members of the group, apart from those that a part of it claims."""
+        group = self.object.Group
+        parts = {member for member in group if kind(member) == PART}
+        return [member for member in group if parts.isdisjoint(parts_of(member))]
 
 
 class DeformationView(FollowingView):
