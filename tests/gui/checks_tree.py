@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Regions and parts in the tree: copied, renamed, deleted and edited as other objects are."""
 
+import os
+
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import answered, child, click_point, click_widget, picture, press, say_yes, settled, until
+from desk import WORK, answered, child, click_point, click_widget, picture, press, say_yes
+from desk import settled, show_docks, until
+from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from hostile_acts import drag_in_tree
-from PySide import QtGui
+from PySide import QtCore, QtGui
 from scenes import assembly, contacts, labelled, new_assembly, new_morph, part, regions
 
 __all__ = [
@@ -17,6 +21,7 @@ __all__ = [
     "test_a_renamed_region_is_edited_by_a_double_click",
     "test_the_context_menu_of_a_part_marks_a_region_on_it",
     "test_a_region_dragged_in_the_tree",
+    "test_the_tree_shows_regions_and_contacts_below_their_parts",
 ]
 
 
@@ -141,7 +146,8 @@ def test_the_context_menu_of_a_part_marks_a_region_on_it():
     assert {"menu", "Edit Region…"} == set(menu_of(regions("fixed")[0]))
     assert {"Edit Region…", "Move Handle…"} < set(menu_of(regions("handle")[0]))
     (contact,) = contacts()
-    menu_of(contact)["Toggle Contact"].trigger()
+    entries = menu_of(contact)
+    entries["Toggle Contact"].trigger()
     yield from settled()
     assert not contact.Active and App.ActiveDocument.UndoNames == ["Toggle Contact"]
     assert "Edit Contact…" in menu_of(contact)
@@ -153,25 +159,50 @@ def places_in_tree() -> dict:
 
 
 def test_a_region_dragged_in_the_tree():
-    """Out of its morph and back; on anything else it takes nobody's place.
-
-    Since FreeCAD 1.0 what an object does not take goes to what it hangs on: here to the morph.
-    """
+    """It stays in its morph and below its part, and takes nobody's place."""
     yield from new_morph()
     (fixed,), (handle,) = regions("fixed"), regions("handle")
     whole = places_in_tree()
-    yield from drag_in_tree(fixed.Label, App.ActiveDocument.Label)
-    assert App.ActiveDocument.UndoNames == ["Move object"] and regions("fixed") == []
-    outside = places_in_tree()
-    in_the_morph = (part(), handle) if int(App.Version()[0]) >= 1 else ()
-    for target in (part(), part().Source, handle):
+    for target in (App.ActiveDocument, assembly(), part(), part().Source, handle):
         yield from drag_in_tree(fixed.Label, target.Label)
-        if target in in_the_morph:
-            assert places_in_tree() == whole, target.Label
-            yield from drag_in_tree(fixed.Label, App.ActiveDocument.Label)
-        assert places_in_tree() == outside, target.Label
-    yield from drag_in_tree(fixed.Label, assembly().Label)
-    assert places_in_tree() == whole
+        assert places_in_tree() == whole, target.Label
     while App.ActiveDocument.UndoCount:
         App.ActiveDocument.undo()
     assert places_in_tree() == whole and regions("fixed") == [fixed]
+
+
+def test_the_tree_shows_regions_and_contacts_below_their_parts():
+    yield from new_assembly(is_joined=True)
+    show_docks()
+    sheet = ["Fixed", "Handle", "Feature", "Feature001", "Contact", "sheet"]
+    bracket = ["Contact", "bracket"]
+    yield from until(lambda: below() == [sheet, bracket, ["loose"]], "the tree")
+    document = App.ActiveDocument
+    document.openTransaction("Follower")
+    api.add_follower(assembly(), labelled("bracket"), [0, 1, 2, 3])
+    document.commitTransaction()
+    document.recompute()
+    yield from until(lambda: below()[1] == ["Follower", *bracket], "the follower")
+    document.undo()
+    yield from until(lambda: below()[1] == bracket, "its end")
+    document.redo()
+    yield from until(lambda: below()[1] == ["Follower", *bracket], "its return")
+    yield from delete(contacts()[0])
+    yield from until(lambda: below()[:2] == [sheet[:4] + sheet[5:], ["Follower", "bracket"]], "one")
+    document.undo()
+    whole = [sheet, ["Follower", *bracket], ["loose"]]
+    yield from until(lambda: below() == whole, "both again")
+    path = os.path.join(WORK, "tree.FCStd")
+    document.saveAs(path)
+    App.closeDocument(document.Name)
+    App.openDocument(path)
+    yield from until(lambda: below() == whole, "the tree of the opened document")
+
+
+def below() -> list[list[str]]:
+    """What the tree shows below each part."""
+    trees = Gui.getMainWindow().findChildren(QtGui.QTreeWidget)
+    items = [item for tree in trees for item in tree.findItems("Morph", QtCore.Qt.MatchRecursive)]
+    children = [item.child(k) for item in items for k in range(item.childCount())]
+    found = [[one.child(k).text(0) for k in range(one.childCount())] for one in children]
+    return [labels for labels in found if labels]

@@ -2,6 +2,7 @@
 """The GUI tests that need the kernel; imported by name, one file a topic."""
 
 from checks_answering import *  # noqa: F401,F403
+from checks_commands import *  # noqa: F401,F403
 from checks_contacts import *  # noqa: F401,F403
 from checks_decks import *  # noqa: F401,F403
 from checks_dragging import *  # noqa: F401,F403

@@ -47,8 +47,8 @@ class SheetMorphWorkbench(Gui.Workbench):
         from freecad.sheetmorph import commands
 
         if recipient == "View":
-            found = commands.suiting(Gui.Selection.getSelection())
-            self.appendContextMenu("", ["Separator", *(command.name for command in found)])
+            names = commands.suiting(Gui.Selection.getSelection())
+            self.appendContextMenu("", ["Separator", *names])
 
     def GetClassName(self) -> str:
         """Return the C++ class that FreeCAD wraps around this workbench."""

@@ -4,7 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.commands.base import REGISTERED, Command
-from freecad.sheetmorph.commands.table import COMMANDS, EMPTY, MENU, SOURCE, TOOLBARS, names
+from freecad.sheetmorph.commands.table import COMMANDS, EMPTY, FIRST, MENU, SOURCE, TOOLBARS, names
 from freecad.sheetmorph.kinds import REGION, kind
 
 
@@ -35,10 +35,18 @@ def sorts(obj) -> set[str]:
     return {found or (SOURCE if is_source else "")}
 
 
-def suiting(objects: list) -> list[Command]:
-    """Return the available commands of the context menu of selected objects, which may be none."""
+def suiting(objects: list) -> list[str]:
+    """Return the names for the context menu of selected objects, which may be none.
+
+    They are the available commands that suit, with a separator after each submenu's.
+    """
     wanted = set().union(*map(sorts, objects)) if objects else {EMPTY}
-    return [one for one in registered().values() if wanted.intersection(one.on) and one.IsActive()]
+    every, found = registered(), []
+    for title in (*FIRST, *(title for title in MENU if title not in FIRST)):
+        suits = [every[name] for name in names(MENU[title]) if name in every]
+        suits = [one for one in suits if wanted.intersection(one.on) and one.IsActive()]
+        found += [*(one.name for one in suits), "Separator"] if suits else []
+    return found
 
 
 def run(name: str, obj) -> None:

@@ -396,6 +396,9 @@ MENU = {
 }
 """Submenus with the commands in them, without prefix; a bar separates groups."""
 
+FIRST = ("&Motion", "&Regions", "&Features", "&Contacts")
+"""Submenus whose commands come first in a context menu: FreeCAD shows the first entry in bold."""
+
 TOOLBARS = {
     QT_TRANSLATE_NOOP("Workbench", "SheetMorph Parts"): (
         "Guide | CreateMorph ImportPart AddPart ReplaceFile | PrepareMesh ThicknessMap SetPrimary"

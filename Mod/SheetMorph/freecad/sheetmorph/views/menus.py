@@ -12,8 +12,12 @@ PROBLEM = QT_TRANSLATE_NOOP("SheetMorph_menus", "Show Problem")
 
 def fill(menu) -> None:
     """Add the commands that apply to the selection, which FreeCAD sets at a right click."""
-    for command in commands.suiting(Gui.Selection.getSelection()):
-        add(menu, command.icon, command.label, command.name)
+    for name in commands.suiting(Gui.Selection.getSelection()):
+        command = commands.registered().get(name)
+        if command is None:
+            menu.addSeparator()
+        else:
+            add(menu, command.icon, command.label, name)
 
 
 def add_problem(menu) -> None:
