@@ -9,7 +9,7 @@ from desk import WORK, answered, child, click_point, click_widget, picture, pres
 from desk import settled, show_docks, until
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
-from hostile_acts import drag_in_tree
+from hostile_acts import drag_in_tree, show_tab
 from PySide import QtCore, QtGui
 from scenes import assembly, contacts, labelled, new_assembly, new_morph, part, regions
 
@@ -174,6 +174,8 @@ def test_a_region_dragged_in_the_tree():
 def test_the_tree_shows_regions_and_contacts_below_their_parts():
     yield from new_assembly(is_joined=True)
     show_docks()
+    yield from show_tab("Model")
+    model_tree().expandAll()  # FreeCAD makes the rows of a part when it is opened
     sheet = ["Fixed", "Handle", "Feature", "Feature001", "Contact", "sheet"]
     bracket = ["Contact", "bracket"]
     yield from until(lambda: below() == [sheet, bracket, ["loose"]], "the tree")
@@ -181,7 +183,6 @@ def test_the_tree_shows_regions_and_contacts_below_their_parts():
     document.openTransaction("Follower")
     api.add_follower(assembly(), labelled("bracket"), [0, 1, 2, 3])
     document.commitTransaction()
-    document.recompute()
     yield from until(lambda: below()[1] == ["Follower", *bracket], "the follower")
     document.undo()
     yield from until(lambda: below()[1] == bracket, "its end")
@@ -196,13 +197,22 @@ def test_the_tree_shows_regions_and_contacts_below_their_parts():
     document.saveAs(path)
     App.closeDocument(document.Name)
     App.openDocument(path)
+    yield from settled()
+    model_tree().expandAll()
     yield from until(lambda: below() == whole, "the tree of the opened document")
+
+
+def model_tree():
+    """The tree of FreeCAD's model view."""
+    trees = Gui.getMainWindow().findChildren(QtGui.QTreeWidget)
+    trees = [tree for tree in trees if tree.metaObject().className() == "Gui::TreeWidget"]
+    (tree,) = filter(QtGui.QWidget.isVisible, trees)
+    return tree
 
 
 def below() -> list[list[str]]:
     """What the tree shows below each part."""
-    trees = Gui.getMainWindow().findChildren(QtGui.QTreeWidget)
-    items = [item for tree in trees for item in tree.findItems("Morph", QtCore.Qt.MatchRecursive)]
-    children = [item.child(k) for item in items for k in range(item.childCount())]
+    (morph,) = model_tree().findItems("Morph", QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive)
+    children = [morph.child(k) for k in range(morph.childCount())]
     found = [[one.child(k).text(0) for k in range(one.childCount())] for one in children]
     return [labels for labels in found if labels]

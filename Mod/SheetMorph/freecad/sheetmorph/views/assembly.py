@@ -14,6 +14,7 @@ class AssemblyView(FollowingView, OwnerView):
     """A group; a double click moves its first handle."""
 
     icon = "Morph"
+    _is_due = False
 
     def attach(self, view_object) -> None:
         """Attach the view, and compute a final shape that is missing in an opened document."""
@@ -36,13 +37,31 @@ class AssemblyView(FollowingView, OwnerView):
         return "MorphFault" if model.failure_of(self.object) else "Morph"
 
     def updateData(self, obj, name: str) -> None:
-        """Update the icons of the primary part and of a faulty morph."""
+        """Update the icons of the primary part and of a faulty morph, and the rows of parts."""
+        if name == "Group" and not (self._is_due or obj.Document.Restoring):
+            self._is_due = True
+            QtCore.QTimer.singleShot(0, self._show_members)
         if name == "Status":  # the recompute that sets the status is not finished yet
             QtCore.QTimer.singleShot(0, self._change_icon)
         if name == "Primary":
             views = [part.ViewObject for part in model.parts(obj)]
             for view in filter(None, views):  # a part that is being deleted has no view
                 view.signalChangeIcon()
+
+    def _show_members(self) -> None:
+        """Let the tree ask the parts for their children, which are links from others to them.
+
+        FreeCAD asks a touched object. A part that waits for a recompute stays touched.
+        """
+        self._is_due = False
+        try:
+            for part in model.parts(self.object):
+                is_due = "Touched" in part.State
+                part.touch("noRecompute")
+                if not is_due:
+                    part.purgeTouched()
+        except (ReferenceError, RuntimeError):
+            return  # deleted meanwhile
 
     def _change_icon(self) -> None:
         try:
