@@ -57,7 +57,7 @@ class AssemblyView(FollowingView, OwnerView):
         try:
             for part in model.parts(self.object):
                 is_due = "Touched" in part.State
-                part.touch("noRecompute")
+                part.touch("")  # without a request to recompute it
                 if not is_due:
                     part.purgeTouched()
         except (ReferenceError, RuntimeError):
