@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -12,7 +13,12 @@ from freecad.sheetmorph.kinds import CONTACT
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 
-@dataclass(frozen=True)
+MOMENT = 0.005  # s; Chosen: longer than FreeCAD takes to ask all commands, shorter than it rests
+_answers: dict[Need, str] = {}
+_end = 0.0
+
+
+@dataclass(frozen=True, eq=False)
 class Need:
     """A target of commands; `find` returns it, or something false. `before` is needed first."""
 
@@ -24,7 +30,21 @@ class Need:
         """Return what the user must do first, empty for nothing."""
         if self.find():
             return ""
-        return (self.before.lacks() if self.before else "") or self.words
+        return (self.before.lacks_now() if self.before else "") or self.words
+
+    def lacks_now(self) -> str:
+        """Return what `lacks` does, at most a moment old, because many commands share a need.
+
+        Only the words of a disabled command depend on it, not whether it is available.
+        """
+        global _end
+        now = time.monotonic()
+        if now > _end:
+            _answers.clear()
+            _end = now + MOMENT
+        if self not in _answers:
+            _answers[self] = self.lacks()
+        return _answers[self]
 
 
 def features() -> list:
