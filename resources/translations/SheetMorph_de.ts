@@ -1310,7 +1310,7 @@
   <name>SheetMorph_needs</name>
   <message>
    <source>Close the open panel first.</source>
-   <translation>Schließen Sie zuerst das offene Fenster.</translation>
+   <translation>Schließen Sie zuerst die offene Maske.</translation>
   </message>
   <message>
    <source>The kernel does not work: see Check Installation.</source>

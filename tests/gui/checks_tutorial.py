@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 import numpy as np
 from desk import WORK, activate, child, click_point, click_widget, enter, offered, picture, press
 from desk import settled, until, view, xdotool
-from freecad.sheetmorph import api, paths
+from freecad.sheetmorph import api, commands, paths
 from freecad.sheetmorph.objects import model
 from PySide import QtCore, QtGui
 from scenes import assembly, fit, largest, part, regions, stored
@@ -21,7 +21,7 @@ def menu(*texts: str, waits=settled):
     says, or by its command. The submenu that has it is opened on the way."""
     bar = Gui.getMainWindow().menuBar()
     kept = []  # PySide takes a menu for deleted whose action it forgets
-    texts = [*texts[:-1], *way_to(texts[-1], texts[:-1], bar), texts[-1]]
+    texts = [*texts[:-1], *way_to(texts[-1]), texts[-1]]
     for text in texts:
         (action,) = called(text, bar)
         middle = bar.mapToGlobal(bar.actionGeometry(action).center())
@@ -36,17 +36,15 @@ def called(text: str, bar) -> list:
     return [a for a in bar.actions() if text in (a.text().replace("&", ""), a.objectName())]
 
 
-def way_to(text: str, titles, bar) -> list[str]:
-    """The title of the submenu with an entry, below menus with titles; none if there is none."""
-    kept = []
-    for title in titles:
-        (action,) = called(title, bar)
-        bar = action.menu()
-        kept += [action, bar]
-    if called(text, bar):
-        return []
-    inner = [(action.text().replace("&", ""), action.menu()) for action in bar.actions()]
-    return [title for title, below in inner if below is not None and called(text, below)][:1]
+def way_to(text: str) -> list[str]:
+    """The title of the submenu with one of our commands; none for all others."""
+    titles = {
+        commands.registered()[name].label: title.replace("&", "")
+        for title, names in commands.menu().items()
+        for name in names
+        if name != "Separator"
+    }
+    return list(filter(None, [titles.get(text)]))
 
 
 def type_and_confirm(text: str):
