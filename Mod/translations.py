@@ -12,6 +12,7 @@ from pathlib import Path
 
 LANGUAGES = ("de", "ja")
 MARKS = ("translate", "QT_TRANSLATE_NOOP")
+COMMAND = "Command"  # a row of the table of commands: name, text and tooltip come first
 SHOWN = {"text", "title", "windowTitle", "toolTip", "statusTip", "whatsThis", "placeholderText"}
 SHOWN |= {"suffix", "prefix", "specialValueText"}
 Texts = dict[str, list[str]]
@@ -22,11 +23,12 @@ def texts_of_python(source: str) -> list[tuple[str, str]]:
     """The (context, text) pairs that a Python source marks for translation."""
     found = []
     for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.Call) and len(node.args) == 2:
+        if isinstance(node, ast.Call):
             name = getattr(node.func, "id", getattr(node.func, "attr", ""))
             values = [getattr(argument, "value", None) for argument in node.args]
-            if name in MARKS and all(isinstance(value, str) for value in values):
-                found.append((values[0], values[1]))
+            count = 3 if name == COMMAND else 2 if name in MARKS and len(values) == 2 else 0
+            if count and all(isinstance(value, str) for value in values[:count]):
+                found += [(values[0], text) for text in values[1:count]]
     return found
 
 

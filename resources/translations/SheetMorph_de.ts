@@ -5,23 +5,34 @@
  <context>
   <name>SheetMorph_AddPart</name>
   <message>
-   <source>Add Part</source>
-   <translation>Teil hinzufügen</translation>
+   <source>The selected objects have no faces. Select meshes or shapes.</source>
+   <translation>Die ausgewählten Objekte haben keine Flächen. Wählen Sie Netze oder Formen aus.</translation>
+  </message>
+  <message>
+   <source>&amp;Add Part</source>
+   <translation>&amp;Teil hinzufügen</translation>
   </message>
   <message>
    <source>Adds the selected meshes and shapes to the morph as parts</source>
    <translation>Fügt dem Morph die ausgewählten Netze und Formen als Teile hinzu</translation>
   </message>
+ </context>
+ <context>
+  <name>SheetMorph_ApplyPose</name>
   <message>
-   <source>The selected objects have no faces. Select meshes or shapes.</source>
-   <translation>Die ausgewählten Objekte haben keine Flächen. Wählen Sie Netze oder Formen aus.</translation>
+   <source>&amp;Apply Pose</source>
+   <translation>Stellung &amp;anwenden</translation>
+  </message>
+  <message>
+   <source>Moves all handles to their positions in the selected pose</source>
+   <translation>Bewegt alle Griffe in die gewählte Stellung</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_BlendPoses</name>
   <message>
-   <source>Blend Poses…</source>
-   <translation>Stellungen überblenden…</translation>
+   <source>&amp;Blend Poses…</source>
+   <translation>Stellungen ü&amp;berblenden…</translation>
   </message>
   <message>
    <source>Blends from one pose to another with a slider, and compares the two</source>
@@ -31,14 +42,6 @@
  <context>
   <name>SheetMorph_Certify</name>
   <message>
-   <source>Certificate…</source>
-   <translation>Zertifikat…</translation>
-  </message>
-  <message>
-   <source>Writes all deformed parts to a folder, reads them back, and checks them against criteria</source>
-   <translation>Schreibt alle verformten Teile in einen Ordner, liest sie zurück und prüft sie nach Kriterien</translation>
-  </message>
-  <message>
    <source>Certificate</source>
    <translation>Zertifikat</translation>
   </message>
@@ -46,16 +49,28 @@
    <source>Criteria</source>
    <translation>Kriterien</translation>
   </message>
+  <message>
+   <source>&amp;Certificate…</source>
+   <translation>&amp;Zertifikat…</translation>
+  </message>
+  <message>
+   <source>Writes all deformed parts to a folder, reads them back, and checks them against criteria</source>
+   <translation>Schreibt alle verformten Teile in einen Ordner, liest sie zurück und prüft sie nach Kriterien</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_CheckInstallation</name>
   <message>
-   <source>Check Installation</source>
-   <translation>Installation prüfen</translation>
+   <source>&amp;Check Installation</source>
+   <translation>&amp;Installation prüfen</translation>
   </message>
   <message>
    <source>Checks the deformation kernel and shows a report that you can copy</source>
    <translation>Prüft den Verformungskern und zeigt einen Bericht, den Sie kopieren können</translation>
+  </message>
+  <message>
+   <source>Check Installation</source>
+   <translation>Installation prüfen</translation>
   </message>
   <message>
    <source>Copy</source>
@@ -65,8 +80,8 @@
  <context>
   <name>SheetMorph_CopyAsMeshes</name>
   <message>
-   <source>Copy as Meshes</source>
-   <translation>Als Netze kopieren</translation>
+   <source>Copy as &amp;Meshes</source>
+   <translation>Als &amp;Netze kopieren</translation>
   </message>
   <message>
    <source>Copies the parts as plain meshes, in their current shape or in the selected pose</source>
@@ -76,8 +91,8 @@
  <context>
   <name>SheetMorph_CopyInPose</name>
   <message>
-   <source>Copy in Pose</source>
-   <translation>In Stellung kopieren</translation>
+   <source>&amp;Copy in Pose</source>
+   <translation>In Stellung &amp;kopieren</translation>
   </message>
   <message>
    <source>Copies the whole morph and applies the selected pose to the copy</source>
@@ -87,8 +102,8 @@
  <context>
   <name>SheetMorph_CreateMorph</name>
   <message>
-   <source>Create Morph</source>
-   <translation>Morph erzeugen</translation>
+   <source>&amp;Create Morph</source>
+   <translation>Morph &amp;erzeugen</translation>
   </message>
   <message>
    <source>Creates a morph from the selected meshes and shapes, which stay unchanged</source>
@@ -98,12 +113,34 @@
  <context>
   <name>SheetMorph_DeformedShape</name>
   <message>
-   <source>Deformed Shape</source>
-   <translation>Verformte Form</translation>
+   <source>&amp;Deformed Shape</source>
+   <translation>&amp;Verformte Form</translation>
   </message>
   <message>
    <source>Creates a deformed CAD shape of the selected part, with the faces of its original shape</source>
    <translation>Erzeugt eine verformte CAD-Form des ausgewählten Teils mit den Flächen seiner ursprünglichen Form</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_EditContact</name>
+  <message>
+   <source>&amp;Edit Contact…</source>
+   <translation>Kontakt &amp;bearbeiten…</translation>
+  </message>
+  <message>
+   <source>Changes the type, the regions and the settings of the selected contact</source>
+   <translation>Ändert Art, Regionen und Einstellungen des gewählten Kontakts</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_EditRegion</name>
+  <message>
+   <source>&amp;Edit Region…</source>
+   <translation>Region &amp;bearbeiten…</translation>
+  </message>
+  <message>
+   <source>Changes the vertices of the selected region by picking in the 3D view</source>
+   <translation>Ändert die Knoten der gewählten Region durch Anklicken in der 3D-Ansicht</translation>
   </message>
  </context>
  <context>
@@ -117,38 +154,38 @@
    <translation>Überschreiben?</translation>
   </message>
   <message>
-   <source>Export Parts…</source>
-   <translation>Teile exportieren…</translation>
+   <source>Export Parts</source>
+   <translation>Teile exportieren</translation>
+  </message>
+  <message>
+   <source>&amp;Export Parts…</source>
+   <translation>&amp;Teile exportieren…</translation>
   </message>
   <message>
    <source>Writes all deformed parts to a folder, each in its original file format</source>
    <translation>Schreibt alle verformten Teile in einen Ordner, jedes in seinem ursprünglichen Dateiformat</translation>
   </message>
-  <message>
-   <source>Export Parts</source>
-   <translation>Teile exportieren</translation>
-  </message>
  </context>
  <context>
   <name>SheetMorph_ExportRecipe</name>
   <message>
-   <source>Export Recipe…</source>
-   <translation>Rezept exportieren…</translation>
+   <source>Export Recipe</source>
+   <translation>Rezept exportieren</translation>
+  </message>
+  <message>
+   <source>E&amp;xport Recipe…</source>
+   <translation>&amp;Rezept exportieren…</translation>
   </message>
   <message>
    <source>Writes the morph as a recipe that also runs without FreeCAD</source>
    <translation>Schreibt den Morph als Rezept, das auch ohne FreeCAD läuft</translation>
   </message>
-  <message>
-   <source>Export Recipe</source>
-   <translation>Rezept exportieren</translation>
-  </message>
  </context>
  <context>
   <name>SheetMorph_FeatureSettings</name>
   <message>
-   <source>Form Feature Settings…</source>
-   <translation>Formelement-Einstellungen…</translation>
+   <source>Form Feature &amp;Settings…</source>
+   <translation>Formelement-&amp;Einstellungen…</translation>
   </message>
   <message>
    <source>Sets the rotation, the motion and the size of the selected form feature</source>
@@ -158,8 +195,8 @@
  <context>
   <name>SheetMorph_FindContacts</name>
   <message>
-   <source>Find Contacts…</source>
-   <translation>Kontakte finden…</translation>
+   <source>&amp;Find Contacts…</source>
+   <translation>Kontakte &amp;finden…</translation>
   </message>
   <message>
    <source>Finds where parts touch or are bolted; the ones you accept become contacts</source>
@@ -169,8 +206,8 @@
  <context>
   <name>SheetMorph_FindFeatures</name>
   <message>
-   <source>Find Features…</source>
-   <translation>Formelemente finden…</translation>
+   <source>F&amp;ind Features…</source>
+   <translation>Formelemente fi&amp;nden…</translation>
   </message>
   <message>
    <source>Finds holes and other features on all parts; the ones you accept become form features</source>
@@ -180,8 +217,8 @@
  <context>
   <name>SheetMorph_Flatten</name>
   <message>
-   <source>Flatten</source>
-   <translation>Abwickeln</translation>
+   <source>&amp;Flatten</source>
+   <translation>&amp;Abwickeln</translation>
   </message>
   <message>
    <source>Flattens the selected part, in its current shape and at rest: sketches of blank and bend lines</source>
@@ -191,23 +228,23 @@
  <context>
   <name>SheetMorph_FollowShape</name>
   <message>
-   <source>Follow Shape</source>
-   <translation>Form folgen</translation>
+   <source>“{0}” was {1}. Which one is it now?</source>
+   <translation>„{0}“ war {1}. Welches ist es jetzt?</translation>
+  </message>
+  <message>
+   <source>&amp;Follow Shape</source>
+   <translation>&amp;Form folgen</translation>
   </message>
   <message>
    <source>Meshes the changed body or shape of the selected part again and finds its regions on the new mesh; regions that changed are listed and selected</source>
    <translation>Vernetzt den geänderten Körper oder die geänderte Form des ausgewählten Teils neu und findet die Regionen auf dem neuen Netz; geänderte Regionen werden gemeldet und ausgewählt</translation>
   </message>
-  <message>
-   <source>“{0}” was {1}. Which one is it now?</source>
-   <translation>„{0}“ war {1}. Welches ist es jetzt?</translation>
-  </message>
  </context>
  <context>
   <name>SheetMorph_GroupFeatures</name>
   <message>
-   <source>Group Form Features</source>
-   <translation>Formelemente gruppieren</translation>
+   <source>&amp;Group Form Features</source>
+   <translation>Formelemente &amp;gruppieren</translation>
   </message>
   <message>
    <source>Moves the selected form features of a part as one rigid body</source>
@@ -217,8 +254,8 @@
  <context>
   <name>SheetMorph_Guide</name>
   <message>
-   <source>Guide</source>
-   <translation>Assistent</translation>
+   <source>&amp;Guide</source>
+   <translation>&amp;Assistent</translation>
   </message>
   <message>
    <source>Guides you through a morph step by step: shows what is missing and opens the right panel</source>
@@ -312,38 +349,38 @@
    <translation>„{0}“ ist keine Länge. Geben Sie eine Länge wie 5 mm ein.</translation>
   </message>
   <message>
-   <source>Import Part…</source>
-   <translation>Teil importieren…</translation>
+   <source>Import Part</source>
+   <translation>Teil importieren</translation>
+  </message>
+  <message>
+   <source>&amp;Import Part…</source>
+   <translation>Teil &amp;importieren…</translation>
   </message>
   <message>
    <source>Imports a mesh, every property of a deck, or every solid of a CAD file as parts</source>
    <translation>Importiert ein Netz, jedes Property eines Decks oder jeden Körper einer CAD-Datei als Teile</translation>
   </message>
-  <message>
-   <source>Import Part</source>
-   <translation>Teil importieren</translation>
-  </message>
  </context>
  <context>
   <name>SheetMorph_ImportRecipe</name>
   <message>
-   <source>Import Recipe…</source>
-   <translation>Rezept importieren…</translation>
+   <source>Import Recipe</source>
+   <translation>Rezept importieren</translation>
+  </message>
+  <message>
+   <source>&amp;Import Recipe…</source>
+   <translation>Rezept &amp;importieren…</translation>
   </message>
   <message>
    <source>Creates a morph from a recipe and its mesh files</source>
    <translation>Erzeugt einen Morph aus einem Rezept und seinen Netzdateien</translation>
   </message>
-  <message>
-   <source>Import Recipe</source>
-   <translation>Rezept importieren</translation>
-  </message>
  </context>
  <context>
   <name>SheetMorph_KeepDistance</name>
   <message>
-   <source>Keep Distance</source>
-   <translation>Abstand halten</translation>
+   <source>&amp;Keep Distance</source>
+   <translation>&amp;Abstand halten</translation>
   </message>
   <message>
    <source>Keeps the distance between two selected form features, on one part or on two</source>
@@ -353,8 +390,8 @@
  <context>
   <name>SheetMorph_MakeCoaxial</name>
   <message>
-   <source>Make Coaxial</source>
-   <translation>Koaxial machen</translation>
+   <source>&amp;Make Coaxial</source>
+   <translation>&amp;Koaxial machen</translation>
   </message>
   <message>
    <source>Keeps two selected form features on a common axis, on one part or on two</source>
@@ -364,8 +401,8 @@
  <context>
   <name>SheetMorph_Manual</name>
   <message>
-   <source>SheetMorph Manual</source>
-   <translation>SheetMorph-Handbuch</translation>
+   <source>SheetMorph &amp;Manual</source>
+   <translation>SheetMorph-&amp;Handbuch</translation>
   </message>
   <message>
    <source>Opens the manual in the browser, also without a network</source>
@@ -375,8 +412,8 @@
  <context>
   <name>SheetMorph_MarkContact</name>
   <message>
-   <source>Mark Contact…</source>
-   <translation>Kontakt markieren…</translation>
+   <source>&amp;Mark Contact…</source>
+   <translation>Kontakt &amp;markieren…</translation>
   </message>
   <message>
    <source>Joins two parts where they touch, so that one follows the other. Select both parts, or click on them in the 3D view</source>
@@ -386,8 +423,8 @@
  <context>
   <name>SheetMorph_MarkFeature</name>
   <message>
-   <source>Mark Form Features…</source>
-   <translation>Formelemente markieren…</translation>
+   <source>Mark F&amp;orm Features…</source>
+   <translation>F&amp;ormelemente markieren…</translation>
   </message>
   <message>
    <source>Marks holes and other form features, which move but keep their shape</source>
@@ -397,8 +434,8 @@
  <context>
   <name>SheetMorph_MarkFixed</name>
   <message>
-   <source>Mark Fixed Region…</source>
-   <translation>Feste Region markieren…</translation>
+   <source>Mark &amp;Fixed Region…</source>
+   <translation>&amp;Feste Region markieren…</translation>
   </message>
   <message>
    <source>Marks a region that stays in place, by picking in the 3D view</source>
@@ -408,8 +445,8 @@
  <context>
   <name>SheetMorph_MarkFollower</name>
   <message>
-   <source>Mark Follower…</source>
-   <translation>Folgeregion markieren…</translation>
+   <source>Mark Fo&amp;llower…</source>
+   <translation>Fo&amp;lgeregion markieren…</translation>
   </message>
   <message>
    <source>Marks a region that follows the control meshes of the part's contacts</source>
@@ -419,8 +456,8 @@
  <context>
   <name>SheetMorph_MarkHandle</name>
   <message>
-   <source>Mark Handle…</source>
-   <translation>Griff markieren…</translation>
+   <source>Mark &amp;Handle…</source>
+   <translation>&amp;Griff markieren…</translation>
   </message>
   <message>
    <source>Marks a region that you move and turn; the part follows</source>
@@ -430,8 +467,8 @@
  <context>
   <name>SheetMorph_MoveHandle</name>
   <message>
-   <source>Move Handle…</source>
-   <translation>Griff bewegen…</translation>
+   <source>&amp;Move Handle…</source>
+   <translation>&amp;Griff bewegen…</translation>
   </message>
   <message>
    <source>Moves and turns a handle; the parts follow as you change the values</source>
@@ -441,14 +478,6 @@
  <context>
   <name>SheetMorph_OpenExample</name>
   <message>
-   <source>Open Example…</source>
-   <translation>Beispiel öffnen…</translation>
-  </message>
-  <message>
-   <source>Opens an example assembly that is ready to move</source>
-   <translation>Öffnet eine Beispielbaugruppe, die Sie sofort bewegen können</translation>
-  </message>
-  <message>
    <source>Open Example</source>
    <translation>Beispiel öffnen</translation>
   </message>
@@ -456,12 +485,20 @@
    <source>Example</source>
    <translation>Beispiel</translation>
   </message>
+  <message>
+   <source>&amp;Open Example…</source>
+   <translation>Beispiel ö&amp;ffnen…</translation>
+  </message>
+  <message>
+   <source>Opens an example assembly that is ready to move</source>
+   <translation>Öffnet eine Beispielbaugruppe, die Sie sofort bewegen können</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_PrepareMesh</name>
   <message>
-   <source>Prepare Mesh…</source>
-   <translation>Netz vorbereiten…</translation>
+   <source>&amp;Prepare Mesh…</source>
+   <translation>&amp;Netz vorbereiten…</translation>
   </message>
   <message>
    <source>Checks the mesh of the selected part, repairs it and remeshes it</source>
@@ -471,8 +508,8 @@
  <context>
   <name>SheetMorph_Propagation</name>
   <message>
-   <source>Propagation…</source>
-   <translation>Ausbreitung…</translation>
+   <source>&amp;Propagation…</source>
+   <translation>&amp;Ausbreitung…</translation>
   </message>
   <message>
    <source>Shows how the motion spreads from the primary part through the contacts</source>
@@ -482,23 +519,23 @@
  <context>
   <name>SheetMorph_ReplaceFile</name>
   <message>
-   <source>Replace File…</source>
-   <translation>Datei ersetzen…</translation>
+   <source>Replace File</source>
+   <translation>Datei ersetzen</translation>
+  </message>
+  <message>
+   <source>&amp;Replace File…</source>
+   <translation>&amp;Datei ersetzen…</translation>
   </message>
   <message>
    <source>Reads the changed file of the selected part and finds its regions on the new mesh; regions that changed are listed and selected</source>
    <translation>Liest die geänderte Datei des ausgewählten Teils und findet die Regionen auf dem neuen Netz; geänderte Regionen werden gemeldet und ausgewählt</translation>
   </message>
-  <message>
-   <source>Replace File</source>
-   <translation>Datei ersetzen</translation>
-  </message>
  </context>
  <context>
   <name>SheetMorph_ResetMotion</name>
   <message>
-   <source>Reset Motion</source>
-   <translation>Bewegung zurücksetzen</translation>
+   <source>&amp;Reset Motion</source>
+   <translation>Bewegung &amp;zurücksetzen</translation>
   </message>
   <message>
    <source>Returns the selected handles, or all handles of the morph, to rest</source>
@@ -507,14 +544,6 @@
  </context>
  <context>
   <name>SheetMorph_SavePose</name>
-  <message>
-   <source>Save Pose…</source>
-   <translation>Stellung speichern…</translation>
-  </message>
-  <message>
-   <source>Saves the current positions of all handles under a name</source>
-   <translation>Speichert die aktuellen Lagen aller Griffe unter einem Namen</translation>
-  </message>
   <message>
    <source>Save Pose</source>
    <translation>Stellung speichern</translation>
@@ -527,12 +556,20 @@
    <source>Pose {0}</source>
    <translation>Stellung {0}</translation>
   </message>
+  <message>
+   <source>&amp;Save Pose…</source>
+   <translation>Stellung &amp;speichern…</translation>
+  </message>
+  <message>
+   <source>Saves the current positions of all handles under a name</source>
+   <translation>Speichert die aktuellen Lagen aller Griffe unter einem Namen</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_SetPrimary</name>
   <message>
-   <source>Set as Primary</source>
-   <translation>Zum Hauptteil machen</translation>
+   <source>&amp;Set as Primary</source>
+   <translation>Zum &amp;Hauptteil machen</translation>
   </message>
   <message>
    <source>Makes the selected part the primary part, which is deformed first; the others follow it</source>
@@ -542,8 +579,8 @@
  <context>
   <name>SheetMorph_Study</name>
   <message>
-   <source>Study…</source>
-   <translation>Studie…</translation>
+   <source>S&amp;tudy…</source>
+   <translation>S&amp;tudie…</translation>
   </message>
   <message>
    <source>Computes and certifies many variants in the background and lists them in a table</source>
@@ -553,12 +590,23 @@
  <context>
   <name>SheetMorph_ThicknessMap</name>
   <message>
-   <source>Thickness…</source>
-   <translation>Dicke…</translation>
+   <source>&amp;Thickness…</source>
+   <translation>Di&amp;cke…</translation>
   </message>
   <message>
    <source>Shows the thickness of the selected part in colours, and lets the part bend as one sheet</source>
    <translation>Zeigt die Dicke des ausgewählten Teils in Farben und lässt es sich als ein Blech biegen</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_ToggleContact</name>
+  <message>
+   <source>&amp;Toggle Contact</source>
+   <translation>Kontakt &amp;ein-/ausschalten</translation>
+  </message>
+  <message>
+   <source>Switches the selected contacts off, so that nothing propagates through them, or on again</source>
+   <translation>Schaltet die gewählten Kontakte aus, sodass sich nichts durch sie ausbreitet, oder wieder ein</translation>
   </message>
  </context>
  <context>
@@ -1007,52 +1055,8 @@
  <context>
   <name>SheetMorph_menus</name>
   <message>
-   <source>Do Not Use Contact</source>
-   <translation>Kontakt deaktivieren</translation>
-  </message>
-  <message>
-   <source>Use Contact</source>
-   <translation>Kontakt aktivieren</translation>
-  </message>
-  <message>
    <source>Show Problem</source>
    <translation>Problem zeigen</translation>
-  </message>
-  <message>
-   <source>Propagation…</source>
-   <translation>Ausbreitung…</translation>
-  </message>
-  <message>
-   <source>Edit Contact…</source>
-   <translation>Kontakt bearbeiten…</translation>
-  </message>
-  <message>
-   <source>Set as Primary</source>
-   <translation>Zum Hauptteil machen</translation>
-  </message>
-  <message>
-   <source>Follow Shape</source>
-   <translation>Form folgen</translation>
-  </message>
-  <message>
-   <source>Study…</source>
-   <translation>Studie…</translation>
-  </message>
-  <message>
-   <source>Edit Region…</source>
-   <translation>Region bearbeiten…</translation>
-  </message>
-  <message>
-   <source>Move Handle…</source>
-   <translation>Griff bewegen…</translation>
-  </message>
-  <message>
-   <source>Reset Motion</source>
-   <translation>Bewegung zurücksetzen</translation>
-  </message>
-  <message>
-   <source>Form Feature Settings…</source>
-   <translation>Formelement-Einstellungen…</translation>
   </message>
  </context>
  <context>
@@ -1348,6 +1352,81 @@
   <message>
    <source>On OK</source>
    <translation>Bei OK</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_needs</name>
+  <message>
+   <source>Close the open panel first.</source>
+   <translation>Schließen Sie zuerst die offene Maske.</translation>
+  </message>
+  <message>
+   <source>The kernel does not work: see Check Installation.</source>
+   <translation>Der Kern funktioniert nicht: siehe „Installation prüfen“.</translation>
+  </message>
+  <message>
+   <source>Create a morph or import a part first.</source>
+   <translation>Erzeugen Sie zuerst einen Morph, oder importieren Sie ein Teil.</translation>
+  </message>
+  <message>
+   <source>Select one of the morphs first.</source>
+   <translation>Wählen Sie zuerst einen der Morphs.</translation>
+  </message>
+  <message>
+   <source>Select a mesh or a shape first.</source>
+   <translation>Wählen Sie zuerst ein Netz oder eine Form.</translation>
+  </message>
+  <message>
+   <source>Add a part to the morph first.</source>
+   <translation>Fügen Sie dem Morph zuerst ein Teil hinzu.</translation>
+  </message>
+  <message>
+   <source>Add a second part to the morph first.</source>
+   <translation>Fügen Sie dem Morph zuerst ein zweites Teil hinzu.</translation>
+  </message>
+  <message>
+   <source>Select a part other than the primary part first.</source>
+   <translation>Wählen Sie zuerst ein anderes Teil als das Hauptteil.</translation>
+  </message>
+  <message>
+   <source>Select a part made from a shape of the document first.</source>
+   <translation>Wählen Sie zuerst ein Teil, das aus einer Form des Dokuments entstand.</translation>
+  </message>
+  <message>
+   <source>Select a part made from a CAD shape first.</source>
+   <translation>Wählen Sie zuerst ein Teil, das aus einer CAD-Form entstand.</translation>
+  </message>
+  <message>
+   <source>Select a region first.</source>
+   <translation>Wählen Sie zuerst eine Region.</translation>
+  </message>
+  <message>
+   <source>Select a form feature first.</source>
+   <translation>Wählen Sie zuerst ein Formelement.</translation>
+  </message>
+  <message>
+   <source>Select two form features first.</source>
+   <translation>Wählen Sie zuerst zwei Formelemente.</translation>
+  </message>
+  <message>
+   <source>Select two or more form features first.</source>
+   <translation>Wählen Sie zuerst zwei oder mehr Formelemente.</translation>
+  </message>
+  <message>
+   <source>Select a contact first.</source>
+   <translation>Wählen Sie zuerst einen Kontakt.</translation>
+  </message>
+  <message>
+   <source>Mark a handle first.</source>
+   <translation>Markieren Sie zuerst einen Griff.</translation>
+  </message>
+  <message>
+   <source>Save a pose first.</source>
+   <translation>Speichern Sie zuerst eine Stellung.</translation>
+  </message>
+  <message>
+   <source>Select a pose first.</source>
+   <translation>Wählen Sie zuerst eine Stellung.</translation>
   </message>
  </context>
  <context>
@@ -2740,28 +2819,40 @@
  <context>
   <name>Workbench</name>
   <message>
-   <source>SheetMorph Morph</source>
-   <translation>SheetMorph Morph</translation>
+   <source>&amp;Parts</source>
+   <translation>&amp;Teile</translation>
+  </message>
+  <message>
+   <source>&amp;Regions</source>
+   <translation>&amp;Regionen</translation>
+  </message>
+  <message>
+   <source>&amp;Features</source>
+   <translation>&amp;Formelemente</translation>
+  </message>
+  <message>
+   <source>&amp;Contacts</source>
+   <translation>&amp;Kontakte</translation>
+  </message>
+  <message>
+   <source>&amp;Motion</source>
+   <translation>&amp;Bewegung</translation>
+  </message>
+  <message>
+   <source>&amp;Exchange</source>
+   <translation>A&amp;ustausch</translation>
+  </message>
+  <message>
+   <source>SheetMorph Parts</source>
+   <translation>SheetMorph Teile</translation>
   </message>
   <message>
    <source>SheetMorph Regions</source>
    <translation>SheetMorph Regionen</translation>
   </message>
   <message>
-   <source>SheetMorph Contacts</source>
-   <translation>SheetMorph Kontakte</translation>
-  </message>
-  <message>
-   <source>SheetMorph Features</source>
-   <translation>SheetMorph Formelemente</translation>
-  </message>
-  <message>
    <source>SheetMorph Motion</source>
    <translation>SheetMorph Bewegung</translation>
-  </message>
-  <message>
-   <source>SheetMorph Exchange</source>
-   <translation>SheetMorph Austausch</translation>
   </message>
  </context>
 </TS>

@@ -5,23 +5,34 @@
  <context>
   <name>SheetMorph_AddPart</name>
   <message>
-   <source>Add Part</source>
-   <translation>部品を追加</translation>
+   <source>The selected objects have no faces. Select meshes or shapes.</source>
+   <translation>選択したオブジェクトには面がありません。メッシュまたは形状を選択してください。</translation>
+  </message>
+  <message>
+   <source>&amp;Add Part</source>
+   <translation>部品を追加(&amp;A)</translation>
   </message>
   <message>
    <source>Adds the selected meshes and shapes to the morph as parts</source>
    <translation>選択したメッシュと形状を部品としてモーフに追加します</translation>
   </message>
+ </context>
+ <context>
+  <name>SheetMorph_ApplyPose</name>
   <message>
-   <source>The selected objects have no faces. Select meshes or shapes.</source>
-   <translation>選択したオブジェクトには面がありません。メッシュまたは形状を選択してください。</translation>
+   <source>&amp;Apply Pose</source>
+   <translation>姿勢を適用(&amp;A)</translation>
+  </message>
+  <message>
+   <source>Moves all handles to their positions in the selected pose</source>
+   <translation>すべてのハンドルを選択した姿勢の位置に動かします</translation>
   </message>
  </context>
  <context>
   <name>SheetMorph_BlendPoses</name>
   <message>
-   <source>Blend Poses…</source>
-   <translation>姿勢をブレンド…</translation>
+   <source>&amp;Blend Poses…</source>
+   <translation>姿勢をブレンド(&amp;B)…</translation>
   </message>
   <message>
    <source>Blends from one pose to another with a slider, and compares the two</source>
@@ -31,14 +42,6 @@
  <context>
   <name>SheetMorph_Certify</name>
   <message>
-   <source>Certificate…</source>
-   <translation>証明書…</translation>
-  </message>
-  <message>
-   <source>Writes all deformed parts to a folder, reads them back, and checks them against criteria</source>
-   <translation>変形したすべての部品をフォルダーに書き出し、読み直して基準に照らして検査します</translation>
-  </message>
-  <message>
    <source>Certificate</source>
    <translation>証明書</translation>
   </message>
@@ -46,16 +49,28 @@
    <source>Criteria</source>
    <translation>基準</translation>
   </message>
+  <message>
+   <source>&amp;Certificate…</source>
+   <translation>証明書(&amp;C)…</translation>
+  </message>
+  <message>
+   <source>Writes all deformed parts to a folder, reads them back, and checks them against criteria</source>
+   <translation>変形したすべての部品をフォルダーに書き出し、読み直して基準に照らして検査します</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_CheckInstallation</name>
   <message>
-   <source>Check Installation</source>
-   <translation>インストールの確認</translation>
+   <source>&amp;Check Installation</source>
+   <translation>インストールの確認(&amp;C)</translation>
   </message>
   <message>
    <source>Checks the deformation kernel and shows a report that you can copy</source>
    <translation>変形カーネルを検査し、コピーできる報告を表示します</translation>
+  </message>
+  <message>
+   <source>Check Installation</source>
+   <translation>インストールの確認</translation>
   </message>
   <message>
    <source>Copy</source>
@@ -65,8 +80,8 @@
  <context>
   <name>SheetMorph_CopyAsMeshes</name>
   <message>
-   <source>Copy as Meshes</source>
-   <translation>メッシュとして複製</translation>
+   <source>Copy as &amp;Meshes</source>
+   <translation>メッシュとして複製(&amp;M)</translation>
   </message>
   <message>
    <source>Copies the parts as plain meshes, in their current shape or in the selected pose</source>
@@ -76,8 +91,8 @@
  <context>
   <name>SheetMorph_CopyInPose</name>
   <message>
-   <source>Copy in Pose</source>
-   <translation>姿勢で複製</translation>
+   <source>&amp;Copy in Pose</source>
+   <translation>姿勢で複製(&amp;C)</translation>
   </message>
   <message>
    <source>Copies the whole morph and applies the selected pose to the copy</source>
@@ -87,8 +102,8 @@
  <context>
   <name>SheetMorph_CreateMorph</name>
   <message>
-   <source>Create Morph</source>
-   <translation>モーフを作成</translation>
+   <source>&amp;Create Morph</source>
+   <translation>モーフを作成(&amp;C)</translation>
   </message>
   <message>
    <source>Creates a morph from the selected meshes and shapes, which stay unchanged</source>
@@ -98,12 +113,34 @@
  <context>
   <name>SheetMorph_DeformedShape</name>
   <message>
-   <source>Deformed Shape</source>
-   <translation>変形した形状</translation>
+   <source>&amp;Deformed Shape</source>
+   <translation>変形した形状(&amp;D)</translation>
   </message>
   <message>
    <source>Creates a deformed CAD shape of the selected part, with the faces of its original shape</source>
    <translation>選択した部品の変形後の CAD 形状を、元の形状と同じ面構成で作成します</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_EditContact</name>
+  <message>
+   <source>&amp;Edit Contact…</source>
+   <translation>接触を編集(&amp;E)…</translation>
+  </message>
+  <message>
+   <source>Changes the type, the regions and the settings of the selected contact</source>
+   <translation>選択した接触の種類、領域、設定を変更します</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_EditRegion</name>
+  <message>
+   <source>&amp;Edit Region…</source>
+   <translation>領域を編集(&amp;E)…</translation>
+  </message>
+  <message>
+   <source>Changes the vertices of the selected region by picking in the 3D view</source>
+   <translation>選択した領域の頂点を 3D ビューで選び直します</translation>
   </message>
  </context>
  <context>
@@ -117,38 +154,38 @@
    <translation>上書きしますか?</translation>
   </message>
   <message>
-   <source>Export Parts…</source>
-   <translation>部品をエクスポート…</translation>
+   <source>Export Parts</source>
+   <translation>部品をエクスポート</translation>
+  </message>
+  <message>
+   <source>&amp;Export Parts…</source>
+   <translation>部品をエクスポート(&amp;E)…</translation>
   </message>
   <message>
    <source>Writes all deformed parts to a folder, each in its original file format</source>
    <translation>変形したすべての部品を、それぞれ元のファイル形式でフォルダーに書き出します</translation>
   </message>
-  <message>
-   <source>Export Parts</source>
-   <translation>部品をエクスポート</translation>
-  </message>
  </context>
  <context>
   <name>SheetMorph_ExportRecipe</name>
   <message>
-   <source>Export Recipe…</source>
-   <translation>レシピをエクスポート…</translation>
+   <source>Export Recipe</source>
+   <translation>レシピをエクスポート</translation>
+  </message>
+  <message>
+   <source>E&amp;xport Recipe…</source>
+   <translation>レシピをエクスポート(&amp;X)…</translation>
   </message>
   <message>
    <source>Writes the morph as a recipe that also runs without FreeCAD</source>
    <translation>モーフを、FreeCAD なしでも実行できるレシピとして書き出します</translation>
   </message>
-  <message>
-   <source>Export Recipe</source>
-   <translation>レシピをエクスポート</translation>
-  </message>
  </context>
  <context>
   <name>SheetMorph_FeatureSettings</name>
   <message>
-   <source>Form Feature Settings…</source>
-   <translation>形状特徴の設定…</translation>
+   <source>Form Feature &amp;Settings…</source>
+   <translation>形状特徴の設定(&amp;S)…</translation>
   </message>
   <message>
    <source>Sets the rotation, the motion and the size of the selected form feature</source>
@@ -158,8 +195,8 @@
  <context>
   <name>SheetMorph_FindContacts</name>
   <message>
-   <source>Find Contacts…</source>
-   <translation>接触を探す…</translation>
+   <source>&amp;Find Contacts…</source>
+   <translation>接触を探す(&amp;F)…</translation>
   </message>
   <message>
    <source>Finds where parts touch or are bolted; the ones you accept become contacts</source>
@@ -169,8 +206,8 @@
  <context>
   <name>SheetMorph_FindFeatures</name>
   <message>
-   <source>Find Features…</source>
-   <translation>形状特徴を探す…</translation>
+   <source>F&amp;ind Features…</source>
+   <translation>形状特徴を探す(&amp;I)…</translation>
   </message>
   <message>
    <source>Finds holes and other features on all parts; the ones you accept become form features</source>
@@ -180,8 +217,8 @@
  <context>
   <name>SheetMorph_Flatten</name>
   <message>
-   <source>Flatten</source>
-   <translation>展開</translation>
+   <source>&amp;Flatten</source>
+   <translation>展開(&amp;F)</translation>
   </message>
   <message>
    <source>Flattens the selected part, in its current shape and at rest: sketches of blank and bend lines</source>
@@ -191,23 +228,23 @@
  <context>
   <name>SheetMorph_FollowShape</name>
   <message>
-   <source>Follow Shape</source>
-   <translation>形状に追従</translation>
+   <source>“{0}” was {1}. Which one is it now?</source>
+   <translation>「{0}」は{1}でした。現在はどれですか？</translation>
+  </message>
+  <message>
+   <source>&amp;Follow Shape</source>
+   <translation>形状に追従(&amp;F)</translation>
   </message>
   <message>
    <source>Meshes the changed body or shape of the selected part again and finds its regions on the new mesh; regions that changed are listed and selected</source>
    <translation>選択した部品の変更されたボディまたは形状を再メッシュし、新しいメッシュ上で領域を見つけ直します。変わった領域は一覧に示して選択します</translation>
   </message>
-  <message>
-   <source>“{0}” was {1}. Which one is it now?</source>
-   <translation>「{0}」は{1}でした。現在はどれですか？</translation>
-  </message>
  </context>
  <context>
   <name>SheetMorph_GroupFeatures</name>
   <message>
-   <source>Group Form Features</source>
-   <translation>形状特徴をまとめる</translation>
+   <source>&amp;Group Form Features</source>
+   <translation>形状特徴をまとめる(&amp;G)</translation>
   </message>
   <message>
    <source>Moves the selected form features of a part as one rigid body</source>
@@ -217,8 +254,8 @@
  <context>
   <name>SheetMorph_Guide</name>
   <message>
-   <source>Guide</source>
-   <translation>ガイド</translation>
+   <source>&amp;Guide</source>
+   <translation>ガイド(&amp;G)</translation>
   </message>
   <message>
    <source>Guides you through a morph step by step: shows what is missing and opens the right panel</source>
@@ -312,38 +349,38 @@
    <translation>「{0}」は長さではありません。5 mm のような長さを入力してください。</translation>
   </message>
   <message>
-   <source>Import Part…</source>
-   <translation>部品をインポート…</translation>
+   <source>Import Part</source>
+   <translation>部品をインポート</translation>
+  </message>
+  <message>
+   <source>&amp;Import Part…</source>
+   <translation>部品をインポート(&amp;I)…</translation>
   </message>
   <message>
    <source>Imports a mesh, every property of a deck, or every solid of a CAD file as parts</source>
    <translation>メッシュ、デッキの各プロパティ、または CAD ファイルの各ソリッドを部品としてインポートします</translation>
   </message>
-  <message>
-   <source>Import Part</source>
-   <translation>部品をインポート</translation>
-  </message>
  </context>
  <context>
   <name>SheetMorph_ImportRecipe</name>
   <message>
-   <source>Import Recipe…</source>
-   <translation>レシピをインポート…</translation>
+   <source>Import Recipe</source>
+   <translation>レシピをインポート</translation>
+  </message>
+  <message>
+   <source>&amp;Import Recipe…</source>
+   <translation>レシピをインポート(&amp;I)…</translation>
   </message>
   <message>
    <source>Creates a morph from a recipe and its mesh files</source>
    <translation>レシピとそのメッシュファイルからモーフを作成します</translation>
   </message>
-  <message>
-   <source>Import Recipe</source>
-   <translation>レシピをインポート</translation>
-  </message>
  </context>
  <context>
   <name>SheetMorph_KeepDistance</name>
   <message>
-   <source>Keep Distance</source>
-   <translation>距離を保つ</translation>
+   <source>&amp;Keep Distance</source>
+   <translation>距離を保つ(&amp;K)</translation>
   </message>
   <message>
    <source>Keeps the distance between two selected form features, on one part or on two</source>
@@ -353,8 +390,8 @@
  <context>
   <name>SheetMorph_MakeCoaxial</name>
   <message>
-   <source>Make Coaxial</source>
-   <translation>同軸にする</translation>
+   <source>&amp;Make Coaxial</source>
+   <translation>同軸にする(&amp;M)</translation>
   </message>
   <message>
    <source>Keeps two selected form features on a common axis, on one part or on two</source>
@@ -364,8 +401,8 @@
  <context>
   <name>SheetMorph_Manual</name>
   <message>
-   <source>SheetMorph Manual</source>
-   <translation>SheetMorph マニュアル</translation>
+   <source>SheetMorph &amp;Manual</source>
+   <translation>SheetMorph マニュアル(&amp;M)</translation>
   </message>
   <message>
    <source>Opens the manual in the browser, also without a network</source>
@@ -375,8 +412,8 @@
  <context>
   <name>SheetMorph_MarkContact</name>
   <message>
-   <source>Mark Contact…</source>
-   <translation>接触を指定…</translation>
+   <source>&amp;Mark Contact…</source>
+   <translation>接触を指定(&amp;M)…</translation>
   </message>
   <message>
    <source>Joins two parts where they touch, so that one follows the other. Select both parts, or click on them in the 3D view</source>
@@ -386,8 +423,8 @@
  <context>
   <name>SheetMorph_MarkFeature</name>
   <message>
-   <source>Mark Form Features…</source>
-   <translation>形状特徴を指定…</translation>
+   <source>Mark F&amp;orm Features…</source>
+   <translation>形状特徴を指定(&amp;O)…</translation>
   </message>
   <message>
    <source>Marks holes and other form features, which move but keep their shape</source>
@@ -397,8 +434,8 @@
  <context>
   <name>SheetMorph_MarkFixed</name>
   <message>
-   <source>Mark Fixed Region…</source>
-   <translation>固定領域を指定…</translation>
+   <source>Mark &amp;Fixed Region…</source>
+   <translation>固定領域を指定(&amp;F)…</translation>
   </message>
   <message>
    <source>Marks a region that stays in place, by picking in the 3D view</source>
@@ -408,8 +445,8 @@
  <context>
   <name>SheetMorph_MarkFollower</name>
   <message>
-   <source>Mark Follower…</source>
-   <translation>追従領域を指定…</translation>
+   <source>Mark Fo&amp;llower…</source>
+   <translation>追従領域を指定(&amp;L)…</translation>
   </message>
   <message>
    <source>Marks a region that follows the control meshes of the part's contacts</source>
@@ -419,8 +456,8 @@
  <context>
   <name>SheetMorph_MarkHandle</name>
   <message>
-   <source>Mark Handle…</source>
-   <translation>ハンドルを指定…</translation>
+   <source>Mark &amp;Handle…</source>
+   <translation>ハンドルを指定(&amp;H)…</translation>
   </message>
   <message>
    <source>Marks a region that you move and turn; the part follows</source>
@@ -430,8 +467,8 @@
  <context>
   <name>SheetMorph_MoveHandle</name>
   <message>
-   <source>Move Handle…</source>
-   <translation>ハンドルを動かす…</translation>
+   <source>&amp;Move Handle…</source>
+   <translation>ハンドルを動かす(&amp;M)…</translation>
   </message>
   <message>
    <source>Moves and turns a handle; the parts follow as you change the values</source>
@@ -441,14 +478,6 @@
  <context>
   <name>SheetMorph_OpenExample</name>
   <message>
-   <source>Open Example…</source>
-   <translation>例を開く…</translation>
-  </message>
-  <message>
-   <source>Opens an example assembly that is ready to move</source>
-   <translation>すぐに動かせるアセンブリの例を開きます</translation>
-  </message>
-  <message>
    <source>Open Example</source>
    <translation>例を開く</translation>
   </message>
@@ -456,12 +485,20 @@
    <source>Example</source>
    <translation>例</translation>
   </message>
+  <message>
+   <source>&amp;Open Example…</source>
+   <translation>例を開く(&amp;O)…</translation>
+  </message>
+  <message>
+   <source>Opens an example assembly that is ready to move</source>
+   <translation>すぐに動かせるアセンブリの例を開きます</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_PrepareMesh</name>
   <message>
-   <source>Prepare Mesh…</source>
-   <translation>メッシュを準備…</translation>
+   <source>&amp;Prepare Mesh…</source>
+   <translation>メッシュを準備(&amp;P)…</translation>
   </message>
   <message>
    <source>Checks the mesh of the selected part, repairs it and remeshes it</source>
@@ -471,8 +508,8 @@
  <context>
   <name>SheetMorph_Propagation</name>
   <message>
-   <source>Propagation…</source>
-   <translation>伝播…</translation>
+   <source>&amp;Propagation…</source>
+   <translation>伝播(&amp;P)…</translation>
   </message>
   <message>
    <source>Shows how the motion spreads from the primary part through the contacts</source>
@@ -482,23 +519,23 @@
  <context>
   <name>SheetMorph_ReplaceFile</name>
   <message>
-   <source>Replace File…</source>
-   <translation>ファイルを置き換え…</translation>
+   <source>Replace File</source>
+   <translation>ファイルを置き換え</translation>
+  </message>
+  <message>
+   <source>&amp;Replace File…</source>
+   <translation>ファイルを置き換え(&amp;R)…</translation>
   </message>
   <message>
    <source>Reads the changed file of the selected part and finds its regions on the new mesh; regions that changed are listed and selected</source>
    <translation>選択した部品の変更されたファイルを読み込み、新しいメッシュ上で領域を見つけ直します。変わった領域は一覧に示して選択します</translation>
   </message>
-  <message>
-   <source>Replace File</source>
-   <translation>ファイルを置き換え</translation>
-  </message>
  </context>
  <context>
   <name>SheetMorph_ResetMotion</name>
   <message>
-   <source>Reset Motion</source>
-   <translation>動きを戻す</translation>
+   <source>&amp;Reset Motion</source>
+   <translation>動きを戻す(&amp;R)</translation>
   </message>
   <message>
    <source>Returns the selected handles, or all handles of the morph, to rest</source>
@@ -507,14 +544,6 @@
  </context>
  <context>
   <name>SheetMorph_SavePose</name>
-  <message>
-   <source>Save Pose…</source>
-   <translation>姿勢を保存…</translation>
-  </message>
-  <message>
-   <source>Saves the current positions of all handles under a name</source>
-   <translation>すべてのハンドルの現在の位置に名前を付けて保存します</translation>
-  </message>
   <message>
    <source>Save Pose</source>
    <translation>姿勢を保存</translation>
@@ -527,12 +556,20 @@
    <source>Pose {0}</source>
    <translation>姿勢 {0}</translation>
   </message>
+  <message>
+   <source>&amp;Save Pose…</source>
+   <translation>姿勢を保存(&amp;S)…</translation>
+  </message>
+  <message>
+   <source>Saves the current positions of all handles under a name</source>
+   <translation>すべてのハンドルの現在の位置に名前を付けて保存します</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_SetPrimary</name>
   <message>
-   <source>Set as Primary</source>
-   <translation>主部品にする</translation>
+   <source>&amp;Set as Primary</source>
+   <translation>主部品にする(&amp;S)</translation>
   </message>
   <message>
    <source>Makes the selected part the primary part, which is deformed first; the others follow it</source>
@@ -542,8 +579,8 @@
  <context>
   <name>SheetMorph_Study</name>
   <message>
-   <source>Study…</source>
-   <translation>スタディ…</translation>
+   <source>S&amp;tudy…</source>
+   <translation>スタディ(&amp;T)…</translation>
   </message>
   <message>
    <source>Computes and certifies many variants in the background and lists them in a table</source>
@@ -553,12 +590,23 @@
  <context>
   <name>SheetMorph_ThicknessMap</name>
   <message>
-   <source>Thickness…</source>
-   <translation>板厚…</translation>
+   <source>&amp;Thickness…</source>
+   <translation>板厚(&amp;T)…</translation>
   </message>
   <message>
    <source>Shows the thickness of the selected part in colours, and lets the part bend as one sheet</source>
    <translation>選択した部品の板厚を色で示し、一枚の板として曲がるようにします</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_ToggleContact</name>
+  <message>
+   <source>&amp;Toggle Contact</source>
+   <translation>接触のオン/オフを切り替え(&amp;T)</translation>
+  </message>
+  <message>
+   <source>Switches the selected contacts off, so that nothing propagates through them, or on again</source>
+   <translation>選択した接触をオフにして伝播を止め、またはオンに戻します</translation>
   </message>
  </context>
  <context>
@@ -1007,52 +1055,8 @@
  <context>
   <name>SheetMorph_menus</name>
   <message>
-   <source>Do Not Use Contact</source>
-   <translation>接触を使わない</translation>
-  </message>
-  <message>
-   <source>Use Contact</source>
-   <translation>接触を使う</translation>
-  </message>
-  <message>
    <source>Show Problem</source>
    <translation>問題を表示</translation>
-  </message>
-  <message>
-   <source>Propagation…</source>
-   <translation>伝播…</translation>
-  </message>
-  <message>
-   <source>Edit Contact…</source>
-   <translation>接触を編集…</translation>
-  </message>
-  <message>
-   <source>Set as Primary</source>
-   <translation>主部品にする</translation>
-  </message>
-  <message>
-   <source>Follow Shape</source>
-   <translation>形状に追従</translation>
-  </message>
-  <message>
-   <source>Study…</source>
-   <translation>スタディ…</translation>
-  </message>
-  <message>
-   <source>Edit Region…</source>
-   <translation>領域を編集…</translation>
-  </message>
-  <message>
-   <source>Move Handle…</source>
-   <translation>ハンドルを動かす…</translation>
-  </message>
-  <message>
-   <source>Reset Motion</source>
-   <translation>動きを戻す</translation>
-  </message>
-  <message>
-   <source>Form Feature Settings…</source>
-   <translation>形状特徴の設定…</translation>
   </message>
  </context>
  <context>
@@ -1348,6 +1352,81 @@
   <message>
    <source>On OK</source>
    <translation>OKのとき</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_needs</name>
+  <message>
+   <source>Close the open panel first.</source>
+   <translation>先に開いているパネルを閉じてください。</translation>
+  </message>
+  <message>
+   <source>The kernel does not work: see Check Installation.</source>
+   <translation>カーネルが動作しません。「インストールの確認」をご覧ください。</translation>
+  </message>
+  <message>
+   <source>Create a morph or import a part first.</source>
+   <translation>先にモーフを作成するか、部品をインポートしてください。</translation>
+  </message>
+  <message>
+   <source>Select one of the morphs first.</source>
+   <translation>先にモーフを 1 つ選択してください。</translation>
+  </message>
+  <message>
+   <source>Select a mesh or a shape first.</source>
+   <translation>先にメッシュまたは形状を選択してください。</translation>
+  </message>
+  <message>
+   <source>Add a part to the morph first.</source>
+   <translation>先にモーフに部品を追加してください。</translation>
+  </message>
+  <message>
+   <source>Add a second part to the morph first.</source>
+   <translation>先にモーフに 2 つ目の部品を追加してください。</translation>
+  </message>
+  <message>
+   <source>Select a part other than the primary part first.</source>
+   <translation>先に主部品以外の部品を選択してください。</translation>
+  </message>
+  <message>
+   <source>Select a part made from a shape of the document first.</source>
+   <translation>先にドキュメントの形状から作った部品を選択してください。</translation>
+  </message>
+  <message>
+   <source>Select a part made from a CAD shape first.</source>
+   <translation>先に CAD 形状から作った部品を選択してください。</translation>
+  </message>
+  <message>
+   <source>Select a region first.</source>
+   <translation>先に領域を選択してください。</translation>
+  </message>
+  <message>
+   <source>Select a form feature first.</source>
+   <translation>先に形状特徴を選択してください。</translation>
+  </message>
+  <message>
+   <source>Select two form features first.</source>
+   <translation>先に形状特徴を 2 つ選択してください。</translation>
+  </message>
+  <message>
+   <source>Select two or more form features first.</source>
+   <translation>先に形状特徴を 2 つ以上選択してください。</translation>
+  </message>
+  <message>
+   <source>Select a contact first.</source>
+   <translation>先に接触を選択してください。</translation>
+  </message>
+  <message>
+   <source>Mark a handle first.</source>
+   <translation>先にハンドルを指定してください。</translation>
+  </message>
+  <message>
+   <source>Save a pose first.</source>
+   <translation>先に姿勢を保存してください。</translation>
+  </message>
+  <message>
+   <source>Select a pose first.</source>
+   <translation>先に姿勢を選択してください。</translation>
   </message>
  </context>
  <context>
@@ -2740,28 +2819,40 @@
  <context>
   <name>Workbench</name>
   <message>
-   <source>SheetMorph Morph</source>
-   <translation>SheetMorph モーフ</translation>
+   <source>&amp;Parts</source>
+   <translation>部品(&amp;P)</translation>
+  </message>
+  <message>
+   <source>&amp;Regions</source>
+   <translation>領域(&amp;R)</translation>
+  </message>
+  <message>
+   <source>&amp;Features</source>
+   <translation>形状特徴(&amp;F)</translation>
+  </message>
+  <message>
+   <source>&amp;Contacts</source>
+   <translation>接触(&amp;C)</translation>
+  </message>
+  <message>
+   <source>&amp;Motion</source>
+   <translation>動き(&amp;M)</translation>
+  </message>
+  <message>
+   <source>&amp;Exchange</source>
+   <translation>入出力(&amp;E)</translation>
+  </message>
+  <message>
+   <source>SheetMorph Parts</source>
+   <translation>SheetMorph 部品</translation>
   </message>
   <message>
    <source>SheetMorph Regions</source>
    <translation>SheetMorph 領域</translation>
   </message>
   <message>
-   <source>SheetMorph Contacts</source>
-   <translation>SheetMorph 接触</translation>
-  </message>
-  <message>
-   <source>SheetMorph Features</source>
-   <translation>SheetMorph 形状特徴</translation>
-  </message>
-  <message>
    <source>SheetMorph Motion</source>
    <translation>SheetMorph 動き</translation>
-  </message>
-  <message>
-   <source>SheetMorph Exchange</source>
-   <translation>SheetMorph 入出力</translation>
   </message>
  </context>
 </TS>

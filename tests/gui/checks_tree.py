@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Regions and parts in the tree: copied, renamed, deleted and edited as other objects are."""
 
+import os
+
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import answered, child, click_point, click_widget, picture, press, say_yes, settled, until
+from desk import WORK, answered, child, click_point, click_widget, picture, press, say_yes
+from desk import settled, show_docks, until
+from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
-from hostile_acts import drag_in_tree
-from PySide import QtGui
+from hostile_acts import drag_in_tree, show_tab
+from PySide import QtCore, QtGui
 from scenes import assembly, contacts, labelled, new_assembly, new_morph, part, regions
 
 __all__ = [
@@ -17,6 +21,7 @@ __all__ = [
     "test_a_renamed_region_is_edited_by_a_double_click",
     "test_the_context_menu_of_a_part_marks_a_region_on_it",
     "test_a_region_dragged_in_the_tree",
+    "test_the_tree_shows_regions_and_contacts_below_their_parts",
 ]
 
 
@@ -36,8 +41,9 @@ def delete(*objects):
 
 
 def menu_of(obj) -> dict:
-    """The entries that our view provider adds to a context menu, by text."""
+    """The entries that our view provider adds to a context menu, by text; a right click selects."""
     menu = QtGui.QMenu()
+    select(obj)
     obj.ViewObject.Proxy.setupContextMenu(obj.ViewObject, menu)
     entries = {action.text(): action for action in menu.actions() if action.text()}
     entries["menu"] = menu  # kept: the actions die with it
@@ -130,14 +136,21 @@ def test_a_renamed_region_is_edited_by_a_double_click():
 def test_the_context_menu_of_a_part_marks_a_region_on_it():
     yield from new_assembly(is_joined=True)
     bracket = labelled("bracket")
+    assert "Set as Primary" not in menu_of(part())
     entries = menu_of(bracket)
-    assert entries["Set as Primary"].isEnabled()
+    assert "Set as Primary" in entries and "Follow Shape" not in entries
     entries["Mark Follower…"].trigger()
     yield from settled()
     assert bracket.Label in child("part").text()
     yield from press("Cancel")
-    assert "Edit Region…" in menu_of(regions("fixed")[0])
-    assert "Edit Contact…" in menu_of(contacts()[0])
+    assert {"menu", "Edit Region…"} == set(menu_of(regions("fixed")[0]))
+    assert {"Edit Region…", "Move Handle…"} < set(menu_of(regions("handle")[0]))
+    (contact,) = contacts()
+    entries = menu_of(contact)
+    entries["Toggle Contact"].trigger()
+    yield from settled()
+    assert not contact.Active and App.ActiveDocument.UndoNames == ["Toggle Contact"]
+    assert "Edit Contact…" in menu_of(contact)
 
 
 def places_in_tree() -> dict:
@@ -146,25 +159,69 @@ def places_in_tree() -> dict:
 
 
 def test_a_region_dragged_in_the_tree():
-    """Out of its morph and back; on anything else it takes nobody's place.
-
-    Since FreeCAD 1.0 what an object does not take goes to what it hangs on: here to the morph.
-    """
+    """It stays in its morph and below its part, and takes nobody's place."""
     yield from new_morph()
     (fixed,), (handle,) = regions("fixed"), regions("handle")
     whole = places_in_tree()
-    yield from drag_in_tree(fixed.Label, App.ActiveDocument.Label)
-    assert App.ActiveDocument.UndoNames == ["Move object"] and regions("fixed") == []
-    outside = places_in_tree()
-    in_the_morph = (part(), handle) if int(App.Version()[0]) >= 1 else ()
-    for target in (part(), part().Source, handle):
+    for target in (App.ActiveDocument, assembly(), part(), part().Source, handle):
         yield from drag_in_tree(fixed.Label, target.Label)
-        if target in in_the_morph:
-            assert places_in_tree() == whole, target.Label
-            yield from drag_in_tree(fixed.Label, App.ActiveDocument.Label)
-        assert places_in_tree() == outside, target.Label
-    yield from drag_in_tree(fixed.Label, assembly().Label)
-    assert places_in_tree() == whole
+        assert places_in_tree() == whole, target.Label
     while App.ActiveDocument.UndoCount:
         App.ActiveDocument.undo()
     assert places_in_tree() == whole and regions("fixed") == [fixed]
+
+
+def test_the_tree_shows_regions_and_contacts_below_their_parts():
+    yield from new_assembly(is_joined=True)
+    show_docks()
+    yield from show_tab("Model")
+    model_tree().expandAll()  # FreeCAD makes the rows of a part when it is opened
+    sheet = ["Fixed", "Handle", "Feature", "Feature001", "Contact", "sheet"]
+    bracket = ["Contact", "bracket"]
+    yield from tree_shows([sheet, bracket, ["loose"]])
+    document = App.ActiveDocument
+    document.openTransaction("Follower")
+    api.add_follower(assembly(), labelled("bracket"), [0, 1, 2, 3])
+    document.commitTransaction()
+    yield from tree_shows([sheet, ["Follower", *bracket], ["loose"]])
+    document.undo()
+    yield from tree_shows([sheet, bracket, ["loose"]])
+    document.redo()
+    yield from tree_shows([sheet, ["Follower", *bracket], ["loose"]])
+    yield from delete(contacts()[0])
+    yield from tree_shows([sheet[:4] + sheet[5:], ["Follower", "bracket"], ["loose"]])
+    document.undo()
+    yield from tree_shows([sheet, ["Follower", *bracket], ["loose"]])
+    path = os.path.join(WORK, "tree.FCStd")
+    document.saveAs(path)
+    App.closeDocument(document.Name)
+    App.openDocument(path)
+    yield from settled()
+    model_tree().expandAll()
+    yield from tree_shows([sheet, ["Follower", *bracket], ["loose"]])
+
+
+def tree_shows(wanted: list[list[str]]):
+    """Waits until the tree shows labels below the parts, and has asked all objects for theirs.
+
+    What is deleted and restored before FreeCAD has asked again, within 100 ms, is not shown.
+    """
+    yield from until(lambda: below() == wanted, f"the tree to show {wanted}")
+    timers = model_tree().findChildren(QtCore.QTimer)
+    yield from until(lambda: not any(timer.isActive() for timer in timers), "the tree to be calm")
+
+
+def model_tree():
+    """The tree of FreeCAD's model view."""
+    trees = Gui.getMainWindow().findChildren(QtGui.QTreeWidget)
+    trees = [tree for tree in trees if tree.metaObject().className() == "Gui::TreeWidget"]
+    (tree,) = filter(QtGui.QWidget.isVisible, trees)
+    return tree
+
+
+def below() -> list[list[str]]:
+    """What the tree shows below each part."""
+    (morph,) = model_tree().findItems("Morph", QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive)
+    children = [morph.child(k) for k in range(morph.childCount())]
+    found = [[one.child(k).text(0) for k in range(one.childCount())] for one in children]
+    return [labels for labels in found if labels]

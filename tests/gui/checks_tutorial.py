@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 import numpy as np
 from desk import WORK, activate, child, click_point, click_widget, enter, offered, picture, press
 from desk import settled, until, view, xdotool
-from freecad.sheetmorph import api, paths
+from freecad.sheetmorph import api, commands, paths
 from freecad.sheetmorph.objects import model
 from PySide import QtCore, QtGui
 from scenes import assembly, fit, largest, part, regions, stored
@@ -18,17 +18,33 @@ __all__ = ["test_the_tutorial_as_a_new_user_does_it"]
 
 def menu(*texts: str, waits=settled):
     """Chooses an entry of the menu bar with the mouse, and waits for what it does: by what it
-    says, or by its command."""
+    says, or by its command. The submenu that has it is opened on the way."""
     bar = Gui.getMainWindow().menuBar()
     kept = []  # PySide takes a menu for deleted whose action it forgets
+    texts = [*texts[:-1], *way_to(texts[-1]), texts[-1]]
     for text in texts:
-        named = [(a, (a.text().replace("&", ""), a.objectName())) for a in bar.actions()]
-        (action,) = [action for action, names in named if text in names]
+        (action,) = called(text, bar)
         middle = bar.mapToGlobal(bar.actionGeometry(action).center())
         yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
         yield from settled() if text != texts[-1] else waits()
         bar = action.menu()
         kept += [action, bar]
+
+
+def called(text: str, bar) -> list:
+    """The entries of a menu with a text or a command."""
+    return [a for a in bar.actions() if text in (a.text().replace("&", ""), a.objectName())]
+
+
+def way_to(text: str) -> list[str]:
+    """The title of the submenu with one of our commands; none for all others."""
+    titles = {
+        commands.registered()[name].label: title.replace("&", "")
+        for title, names in commands.menu().items()
+        for name in names
+        if name != "Separator"
+    }
+    return list(filter(None, [titles.get(text)]))
 
 
 def type_and_confirm(text: str):

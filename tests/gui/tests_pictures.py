@@ -26,13 +26,13 @@ from checks_study import mirror_study
 from checks_thickness import is_drawn, thin_plate
 from checks_tutorial import mark, menu, near_edge
 from desk import WORK, activate, child, choose_below, click_widget, draw_along, enter, on_screen
-from desk import panel, picture, press, press_tool, settled, tick, until, view, xdotool
+from desk import panel, picture, press, press_tool, settled, show_docks, tick, until, view, xdotool
 from freecad.sheetmorph import api, paths
 from freecad.sheetmorph.api.features import shape_of
 from freecad.sheetmorph.commands import exchange
 from hostile_panels import is_shown
 from PySide import QtCore, QtGui
-from scenes import assembly, contacts, look, new_morph, part, regions
+from scenes import assembly, contacts, look, new_assembly, new_morph, part, regions
 
 FOLDER = os.environ.get("SHEETMORPH_PICTURES", WORK)
 WIDTH = 1100  # px
@@ -82,6 +82,21 @@ def cover():
     view().viewFront()
     Gui.SendMsgToActiveView("ViewFit")
     yield from settled()
+
+
+def test_the_menu_and_the_tree():
+    """A submenu, the toolbars, and the regions and contacts below their parts."""
+    yield from large_view()
+    yield from new_assembly(is_joined=True)
+    show_docks()
+    for tree in Gui.getMainWindow().findChildren(QtGui.QTreeWidget):
+        tree.expandAll()
+    yield from menu("SheetMorph", "Motion")
+    path = os.path.join(FOLDER, "menu.png")
+    crop = ["-crop", "760x470+0+20", "+repage", "-colors", str(COLOURS), "-strip"]
+    subprocess.run(["convert", picture("whole-menu"), *crop, f"PNG8:{path}"], check=True)
+    yield from xdotool("key", "Escape", "key", "Escape")
+    assert os.path.getsize(path) > 10_000
 
 
 def test_the_first_five_minutes():

@@ -4,6 +4,7 @@
 from checks_answering import *  # noqa: F401,F403
 from checks_axes import *  # noqa: F401,F403
 from checks_blame import *  # noqa: F401,F403
+from checks_commands import *  # noqa: F401,F403
 from checks_contacts import *  # noqa: F401,F403
 from checks_decks import *  # noqa: F401,F403
 from checks_dragging import *  # noqa: F401,F403

@@ -58,6 +58,8 @@ def test_nearly_everything_is_translated_and_gaps_stay(tool, language):
 def test_texts_are_found_in_python_and_panels(tool):
     source = 'a = translate("c", "one " "two")\nb = QT_TRANSLATE_NOOP("d", "x")\nf("c", "no")\n'
     assert tool.texts_of_python(source) == [("c", "one two"), ("d", "x")]
+    row = 'Command("SheetMorph_X", "&Do", "Does it", needs.PART, act)'
+    assert tool.texts_of_python(row) == [("SheetMorph_X", "&Do"), ("SheetMorph_X", "Does it")]
     panel = '<ui><class>p</class><widget><property name="text"><string>A</string></property>'
     panel += '<property name="suffix"><string>°</string></property></widget></ui>'
     assert tool.texts_of_panel(panel) == [("p", "A")]
@@ -67,6 +69,41 @@ def test_all_contexts_are_of_one_name_space(tool):
     """Texts of all of FreeCAD lie beside ours; it asks for titles of menus and toolbars itself."""
     foreign = [name for name in tool.collect(ROOT) if not name.startswith("SheetMorph_")]
     assert foreign == ["Workbench"]
+
+
+LETTER = re.compile(r"&(\w)")
+
+
+@pytest.fixture(scope="module")
+def menus(tool) -> dict[str, list[tuple[str, str]]]:
+    """Texts with their contexts, by menu: the submenus are in the first menu, ""."""
+    table = ROOT / "Mod/SheetMorph/freecad/sheetmorph/commands/table.py"
+    tree = ast.parse(table.read_text("utf-8"))
+    calls = [n for n in ast.walk(tree) if isinstance(n, ast.Call)]
+    rows = [c.args[:2] for c in calls if getattr(c.func, "id", "") == "Command"]
+    texts = {row[0].value.removeprefix("SheetMorph_"): (row[0].value, row[1].value) for row in rows}
+    assigned = [n for n in tree.body if isinstance(n, ast.Assign)]
+    (menu,) = [n.value for n in assigned if ast.unparse(n.targets[0]) == "MENU"]
+    titles = [words_in(key.args[1] if isinstance(key, ast.Call) else key)[0] for key in menu.keys]
+    found = {
+        title: [texts[name] for name in ast.literal_eval(row).split() if name != "|"]
+        for title, row in zip(titles, menu.values)
+    }
+    found[""] += [("Workbench", title) for title in titles if title]
+    return found
+
+
+@pytest.mark.parametrize("language", ["en", "de", "ja"])
+def test_every_entry_of_a_menu_has_a_letter_of_its_own(tool, menus, language):
+    path = ROOT / "resources" / "translations" / f"SheetMorph_{language}.ts"
+    known = tool.read_translations(path)
+    known |= {("Workbench", "&Help"): {"de": "&Hilfe", "ja": "ヘルプ(&H)"}.get(language, "")}
+    assert len(menus) == 8 and sum(map(len, menus.values())) > 40
+    for title, entries in menus.items():
+        said = [known.get(entry) or entry[1] for entry in entries]
+        letters = [letter.lower() for text in said for letter in LETTER.findall(text)]
+        assert len(letters) == len(said), (title, said)
+        assert len(set(letters)) == len(letters), (title, said)
 
 
 SHOWING = {"setText", "setToolTip", "setStatusTip", "setWhatsThis", "setTitle", "setWindowTitle"}

@@ -1,82 +1,57 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of the workbench and their order in menu and toolbars."""
+"""The commands of the workbench, registered in FreeCAD, for menus, toolbars and other callers."""
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph.commands import contacts, create, exchange, features, finding, guide
-from freecad.sheetmorph.commands import installation, manual, motion, poses, regions, sheets, study
-from freecad.sheetmorph.commands.base import Command
-from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
-
-_TOOLBARS = {
-    QT_TRANSLATE_NOOP("Workbench", "SheetMorph Morph"): (
-        guide.OpenGuide,
-        create.CreateMorph,
-        create.AddPart,
-        create.ImportPart,
-        create.ReplaceFile,
-        create.FollowShape,
-        sheets.PrepareMesh,
-        sheets.ThicknessMap,
-        sheets.Flatten,
-    ),
-    QT_TRANSLATE_NOOP("Workbench", "SheetMorph Regions"): (
-        regions.MarkFixed,
-        regions.MarkHandle,
-        regions.MarkFeature,
-        regions.MarkFollower,
-        finding.FindFeatures,
-    ),
-    QT_TRANSLATE_NOOP("Workbench", "SheetMorph Contacts"): (
-        contacts.MarkContact,
-        finding.FindContacts,
-        contacts.Propagation,
-        contacts.SetPrimary,
-    ),
-    QT_TRANSLATE_NOOP("Workbench", "SheetMorph Features"): (
-        features.FeatureSettings,
-        features.GroupFeatures,
-        features.MakeCoaxial,
-        features.KeepDistance,
-    ),
-    QT_TRANSLATE_NOOP("Workbench", "SheetMorph Motion"): (
-        motion.MoveHandle,
-        motion.ResetMotion,
-        poses.SavePose,
-        poses.BlendPoses,
-        poses.CopyInPose,
-        poses.CopyAsMeshes,
-        study.Study,
-        sheets.DeformedShape,
-    ),
-    QT_TRANSLATE_NOOP("Workbench", "SheetMorph Exchange"): (
-        exchange.ExportParts,
-        exchange.Certify,
-        exchange.ExportRecipe,
-        exchange.ImportRecipe,
-    ),
-    "Help": (exchange.OpenExample, manual.Manual, installation.CheckInstallation),
-}
+from freecad.sheetmorph.commands.base import REGISTERED, Command
+from freecad.sheetmorph.commands.table import COMMANDS, EMPTY, FIRST, MENU, SOURCE, TOOLBARS, names
+from freecad.sheetmorph.kinds import REGION, kind
 
 
-def register() -> dict[str, list[str]]:
-    """Register all commands; return their names by toolbar title."""
-    for classes in _TOOLBARS.values():
-        for command in classes:
-            Command.registered[command.name] = command()
-            Gui.addCommand(command.name, Command.registered[command.name])
-    return {
-        title: [command.name for command in classes]
-        for title, classes in _TOOLBARS.items()
-        if title != "Help"
-    }
+def registered() -> dict[str, Command]:
+    """Return all commands by name; the first call registers them in FreeCAD."""
+    for command in COMMANDS if not REGISTERED else ():
+        REGISTERED[command.name] = command
+        Gui.addCommand(command.name, command)
+    return REGISTERED
 
 
-def menu() -> list[str]:
-    """Return the command names of the menu, in groups."""
-    names: list[str] = []
-    for classes in _TOOLBARS.values():
-        if names:
-            names.append("Separator")
-        names += [command.name for command in classes]
-    return names
+def menu() -> dict[str, list[str]]:
+    """Return the names of the commands by submenu; those of "" are in the menu itself."""
+    return {title: names(row) for title, row in MENU.items()}
+
+
+def toolbars() -> dict[str, list[str]]:
+    """Return the names of the commands by toolbar."""
+    return {title: names(row) for title, row in TOOLBARS.items()}
+
+
+def sorts(obj) -> set[str]:
+    """Return the words by which commands name an object: its kind, and the role of a region."""
+    found = kind(obj)
+    if found == REGION:
+        return {REGION, obj.Role}
+    is_source = obj.isDerivedFrom("Mesh::Feature") or obj.isDerivedFrom("Part::Feature")
+    return {found or (SOURCE if is_source else "")}
+
+
+def suiting(objects: list) -> list[str]:
+    """Return the names for the context menu of selected objects, which may be none.
+
+    They are the available commands that suit, with a separator after each submenu's.
+    """
+    wanted = set().union(*map(sorts, objects)) if objects else {EMPTY}
+    every, found = registered(), []
+    for title in (*FIRST, *(title for title in MENU if title not in FIRST)):
+        suits = [every[name] for name in names(MENU[title]) if name in every]
+        suits = [one for one in suits if wanted.intersection(one.on) and one.IsActive()]
+        found += [*(one.name for one in suits), "Separator"] if suits else []
+    return found
+
+
+def run(name: str, obj) -> None:
+    """Select an object, and run a command on it if it is available."""
+    if Gui.Selection.getSelection() != [obj]:
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(obj)
+    Gui.runCommand(registered()[name].name)

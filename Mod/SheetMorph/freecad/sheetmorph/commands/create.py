@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands that create a morph and add parts to it."""
+"""What the commands do that create a morph, add parts to it and replace their files."""
 
 import json
 import math
@@ -12,10 +12,8 @@ from freecad.sheetmorph import actions, subject
 from freecad.sheetmorph.actions import DOCUMENT, call, name
 from freecad.sheetmorph.api import following
 from freecad.sheetmorph.bridge.units import number_in
-from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
-QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 DECKS = (".nas", ".bdf", ".dat", ".fem", ".blk", ".bulk", ".pch", ".k", ".key", ".dyn", ".inp")
 DECKS += (".rad", ".msh")
 MESHES = "*.obj *.off *.ply *.stl *.vtk *.vtu"
@@ -105,122 +103,58 @@ def look_at_new(before: set) -> None:
     QtCore.QTimer.singleShot(0, lambda: prepare_panel.offer(parts))
 
 
-class CreateMorph(Command):
-    """The command that creates a morph from the selected meshes and shapes."""
-
-    name = "SheetMorph_CreateMorph"
-    text = QT_TRANSLATE_NOOP("SheetMorph_CreateMorph", "Create Morph")
-    tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_CreateMorph",
-        "Creates a morph from the selected meshes and shapes, which stay " "unchanged",
-    )
-
-    def possible(self) -> bool:
-        """Return True, since a document is created if there is none."""
-        return True
-
-    def execute(self) -> None:
-        """Create the morph in one undo step; the first mesh, else shape, is the primary."""
-        edge = ask_edge() if subject.shapes() else 0.0
-        if edge is None:
-            return
-        ensure_document()
-        before = set(App.ActiveDocument.Objects)
-        lines = [f"morph = {NEW}", *source_lines("morph", edge)]
-        if actions.attempt("Create Morph", *lines):
-            Gui.Selection.clearSelection()
-            made = [o for o in App.ActiveDocument.Objects if o not in before]
-            Gui.Selection.addSelection(next(o for o in made if subject.kind(o) == subject.ASSEMBLY))
-            look_at_new(before)
+def create_morph() -> None:
+    """Create a morph in one undo step; the first mesh, else shape, is the primary."""
+    edge = ask_edge() if subject.shapes() else 0.0
+    if edge is None:
+        return
+    ensure_document()
+    before = set(App.ActiveDocument.Objects)
+    lines = [f"morph = {NEW}", *source_lines("morph", edge)]
+    if actions.attempt("Create Morph", *lines):
+        Gui.Selection.clearSelection()
+        made = [o for o in App.ActiveDocument.Objects if o not in before]
+        Gui.Selection.addSelection(next(o for o in made if subject.kind(o) == subject.ASSEMBLY))
+        look_at_new(before)
 
 
-class AddPart(Command):
-    """The command that adds the selected meshes and shapes to a morph."""
-
-    name = "SheetMorph_AddPart"
-    text = QT_TRANSLATE_NOOP("SheetMorph_AddPart", "Add Part")
-    tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_AddPart",
-        "Adds the selected meshes and shapes to the morph as parts",
-    )
-
-    def possible(self) -> bool:
-        """Return whether there is a morph, and a mesh or shape is selected."""
-        return subject.assembly() is not None and subject.may_become_parts()
-
-    def execute(self) -> None:
-        """Add all of them in one undo step."""
-        shapes = subject.shapes()
-        if not (shapes or subject.meshes() or subject.links()):
-            raise ValueError(
-                translate(
-                    "SheetMorph_AddPart",
-                    "The selected objects have no faces. Select meshes or shapes.",
-                )
+def add_part(owner) -> None:
+    """Add the selected meshes and shapes to a morph in one undo step."""
+    shapes = subject.shapes()
+    if not (shapes or subject.meshes() or subject.links()):
+        raise ValueError(
+            translate(
+                "SheetMorph_AddPart",
+                "The selected objects have no faces. Select meshes or shapes.",
             )
-        edge = ask_edge() if shapes else 0.0
-        before = set(App.ActiveDocument.Objects)
-        if edge is not None and actions.attempt(
-            "Add Part", *source_lines(name(subject.assembly()), edge)
-        ):
-            look_at_new(before)
+        )
+    edge = ask_edge() if shapes else 0.0
+    before = set(App.ActiveDocument.Objects)
+    if edge is not None and actions.attempt("Add Part", *source_lines(name(owner), edge)):
+        look_at_new(before)
 
 
-class ReplaceFile(Command):
-    """The command that reads another version of a part's file."""
+def replace_file(part) -> None:
+    """Let the user choose another version of a part's file, and read it in one undo step."""
+    title = translate("SheetMorph_ReplaceFile", "Replace File")
+    file, _ = QtWidgets.QFileDialog.getOpenFileName(Gui.getMainWindow(), title, "", FILTER)
+    edge = ask_edge() if file.lower().endswith(CAD) else 0.0
+    if not file or edge is None:
+        return
 
-    name = "SheetMorph_ReplaceFile"
-    text = QT_TRANSLATE_NOOP("SheetMorph_ReplaceFile", "Replace File…")
-    tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_ReplaceFile",
-        "Reads the changed file of the selected part and finds its regions on "
-        "the new mesh; regions that changed are listed and selected",
-    )
+    def line(answers: dict[str, str]) -> str:
+        return call("replace_file", name(part), repr(file), **meshed(edge), **answers)
 
-    def possible(self) -> bool:
-        """Return whether there is a part."""
-        return subject.part() is not None
-
-    def execute(self) -> None:
-        """Let the user choose the file, and read it in one undo step."""
-        part = subject.part()
-        title = translate("SheetMorph_ReplaceFile", "Replace File")
-        file, _ = QtWidgets.QFileDialog.getOpenFileName(Gui.getMainWindow(), title, "", FILTER)
-        edge = ask_edge() if file.lower().endswith(CAD) else 0.0
-        if not file or edge is None:
-            return
-
-        def line(answers: dict[str, str]) -> str:
-            return call("replace_file", name(part), repr(file), **meshed(edge), **answers)
-
-        if attempt_bound("Replace File", part, line):
-            tell_differences(part)
+    if attempt_bound("Replace File", part, line):
+        tell_differences(part)
 
 
-class FollowShape(Command):
-    """The command that updates a part from its source shape."""
-
-    name = "SheetMorph_FollowShape"
-    text = QT_TRANSLATE_NOOP("SheetMorph_FollowShape", "Follow Shape")
-    tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_FollowShape",
-        "Meshes the changed body or shape of the selected part again and finds "
-        "its regions on the new mesh; regions that changed are listed and "
-        "selected",
-    )
-
-    def possible(self) -> bool:
-        """Return whether there is a part made from a shape of the document."""
-        part = subject.part()
-        return part is not None and part.ShapeSource is not None
-
-    def execute(self) -> None:
-        """Update the part in one undo step."""
-        part = subject.part()
-        if attempt_bound(
-            "Follow Shape", part, lambda answers: call("follow_shape", name(part), **answers)
-        ):
-            tell_differences(part)
+def follow_shape(part) -> None:
+    """Update a part from its source shape in one undo step."""
+    if attempt_bound(
+        "Follow Shape", part, lambda answers: call("follow_shape", name(part), **answers)
+    ):
+        tell_differences(part)
 
 
 def attempt_bound(title: str, part, line: Callable[[dict[str, str]], str]) -> bool:
@@ -272,38 +206,24 @@ def tell_differences(part) -> None:
     differences.tell(part.Document, json.loads(part.Differences))
 
 
-class ImportPart(Command):
-    """The command that imports a file as a part, with positions in double precision."""
+def import_part(_is_clear: bool) -> None:
+    """Let the user choose files, and import them in one undo step.
 
-    name = "SheetMorph_ImportPart"
-    text = QT_TRANSLATE_NOOP("SheetMorph_ImportPart", "Import Part…")
-    tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_ImportPart",
-        "Imports a mesh, every property of a deck, or every solid of a CAD file " "as parts",
-    )
-
-    def possible(self) -> bool:
-        """Return whether the target is clear: one morph, or none in the document."""
-        return subject.assembly() is not None or not subject.assemblies()
-
-    def execute(self) -> None:
-        """Let the user choose files, and import them in one undo step.
-
-        Without a morph, it creates one.
-        """
-        window = Gui.getMainWindow()
-        title = translate("SheetMorph_ImportPart", "Import Part")
-        files, _ = QtWidgets.QFileDialog.getOpenFileNames(window, title, "", FILTER)
-        has_cad = any(file.lower().endswith(CAD) for file in files)
-        edge = ask_edge() if has_cad else 0.0
-        if not files or edge is None:
-            return
-        ensure_document()
-        owner = subject.assembly()
-        lines = [] if owner else [f"morph = {NEW}"]
-        lines += import_lines(name(owner) if owner else "morph", files, edge)
-        before = set(App.ActiveDocument.Objects)
-        if actions.attempt("Import Part", *lines):
-            look_at_new(before)
-            # Later, because a panel that opens makes the view smaller.
-            QtCore.QTimer.singleShot(0, lambda: Gui.SendMsgToActiveView("ViewFit"))
+    Without a morph, it creates one.
+    """
+    window = Gui.getMainWindow()
+    title = translate("SheetMorph_ImportPart", "Import Part")
+    files, _ = QtWidgets.QFileDialog.getOpenFileNames(window, title, "", FILTER)
+    has_cad = any(file.lower().endswith(CAD) for file in files)
+    edge = ask_edge() if has_cad else 0.0
+    if not files or edge is None:
+        return
+    ensure_document()
+    owner = subject.assembly()
+    lines = [] if owner else [f"morph = {NEW}"]
+    lines += import_lines(name(owner) if owner else "morph", files, edge)
+    before = set(App.ActiveDocument.Objects)
+    if actions.attempt("Import Part", *lines):
+        look_at_new(before)
+        # Later, because a panel that opens makes the view smaller.
+        QtCore.QTimer.singleShot(0, lambda: Gui.SendMsgToActiveView("ViewFit"))

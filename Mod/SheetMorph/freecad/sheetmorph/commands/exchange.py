@@ -1,17 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands that exchange parts and recipes with files, and open the examples."""
+"""What the commands do that exchange parts and recipes with files, or open an example."""
 
 import os
 
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import actions, api, paths, subject
+from freecad.sheetmorph import actions, api, paths
 from freecad.sheetmorph.actions import DOCUMENT, call, name
-from freecad.sheetmorph.commands.base import Command
-from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
+from freecad.sheetmorph.qt import QtWidgets, translate
 
-QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 RECIPES = "Recipes (*.json *.toml)"
 MOST_NAMES = 8
 CRITERIA = ["standard", "crash", "static"]
@@ -62,144 +60,66 @@ def asked_to_write(title: str, owner, place: str) -> dict[str, str] | None:
     return {"force": "True"} if answer == box.Yes else None
 
 
-class ExportParts(Command):
-    """The command that writes the deformed parts, each in its original format."""
+def export_parts(owner) -> None:
+    """Let the user choose a folder, and write the parts."""
+    window = Gui.getMainWindow()
+    title = translate("SheetMorph_ExportParts", "Export Parts")
+    folder = QtWidgets.QFileDialog.getExistingDirectory(window, title)
+    ways = asked_to_write(title, owner, folder) if folder else None
+    if ways is None:
+        return
+    if actions.wait(title, call("write_parts", name(owner), repr(folder), **ways)):
+        App.Console.PrintMessage(f"SheetMorph: parts written to {folder}\n")
 
-    name = "SheetMorph_ExportParts"
-    text = QT_TRANSLATE_NOOP("SheetMorph_ExportParts", "Export Parts…")
-    tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_ExportParts",
-        "Writes all deformed parts to a folder, each in its original file format",
+
+def certify(owner) -> None:
+    """Let the user choose criteria and a folder, write, and show the certificate."""
+    from freecad.sheetmorph.panels import certificate_dialog
+
+    window = Gui.getMainWindow()
+    title = translate("SheetMorph_Certify", "Certificate")
+    asked = translate("SheetMorph_Certify", "Criteria")
+    criteria, is_chosen = QtWidgets.QInputDialog.getItem(window, title, asked, CRITERIA, 0, False)
+    if not is_chosen:
+        return
+    folder = QtWidgets.QFileDialog.getExistingDirectory(window, title)
+    ways = asked_to_write(title, owner, folder) if folder else None
+    if ways is None:
+        return
+    line = call("certify", name(owner), repr(folder), repr(criteria), **ways)
+    if actions.wait(title, f"certificate = {line}"):
+        certificate_dialog.show(folder)
+
+
+def export_recipe(owner) -> None:
+    """Let the user choose a file, and write the recipe."""
+    window = Gui.getMainWindow()
+    title = translate("SheetMorph_ExportRecipe", "Export Recipe")
+    path, _ = QtWidgets.QFileDialog.getSaveFileName(window, title, "recipe.json", RECIPES)
+    ways = asked_to_write(title, owner, path) if path else None
+    if ways is not None:
+        actions.record(call("export_recipe", name(owner), repr(path), **ways))
+
+
+def import_recipe() -> None:
+    """Let the user choose a recipe, and read it."""
+    window = Gui.getMainWindow()
+    title = translate("SheetMorph_ImportRecipe", "Import Recipe")
+    path, _ = QtWidgets.QFileDialog.getOpenFileName(window, title, "", RECIPES)
+    if path:
+        open_recipe(path)
+
+
+def open_example() -> None:
+    """Let the user choose an example, and open it in a new document."""
+    recipes = example_recipes()
+    if not recipes:
+        raise RuntimeError(f"There are no examples in {paths.examples()}; build the add-on again.")
+    title, chosen = QtWidgets.QInputDialog.getItem(
+        Gui.getMainWindow(),
+        translate("SheetMorph_OpenExample", "Open Example"),
+        translate("SheetMorph_OpenExample", "Example"),
+        *(list(recipes), 0, False),
     )
-    alters = False
-
-    def possible(self) -> bool:
-        """Return whether there is a morph."""
-        return subject.assembly() is not None
-
-    def execute(self) -> None:
-        """Let the user choose a folder, and write the parts."""
-        owner = subject.assembly()
-        window = Gui.getMainWindow()
-        title = translate("SheetMorph_ExportParts", "Export Parts")
-        folder = QtWidgets.QFileDialog.getExistingDirectory(window, title)
-        ways = asked_to_write(title, owner, folder) if folder else None
-        if ways is None:
-            return
-        if actions.wait(title, call("write_parts", name(owner), repr(folder), **ways)):
-            App.Console.PrintMessage(f"SheetMorph: parts written to {folder}\n")
-
-
-class Certify(Command):
-    """The command that writes the deformed parts and certifies the files."""
-
-    name = "SheetMorph_Certify"
-    text = QT_TRANSLATE_NOOP("SheetMorph_Certify", "Certificate…")
-    tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_Certify",
-        "Writes all deformed parts to a folder, reads them back, and checks them "
-        "against criteria",
-    )
-    alters = False
-
-    def possible(self) -> bool:
-        """Return whether there is a morph."""
-        return subject.assembly() is not None
-
-    def execute(self) -> None:
-        """Let the user choose criteria and a folder, write, and show the certificate."""
-        from freecad.sheetmorph.panels import certificate_dialog
-
-        owner, window = subject.assembly(), Gui.getMainWindow()
-        title = translate("SheetMorph_Certify", "Certificate")
-        asked = translate("SheetMorph_Certify", "Criteria")
-        criteria, is_chosen = QtWidgets.QInputDialog.getItem(
-            window, title, asked, CRITERIA, 0, False
-        )
-        if not is_chosen:
-            return
-        folder = QtWidgets.QFileDialog.getExistingDirectory(window, title)
-        ways = asked_to_write(title, owner, folder) if folder else None
-        if ways is None:
-            return
-        line = call("certify", name(owner), repr(folder), repr(criteria), **ways)
-        if actions.wait(title, f"certificate = {line}"):
-            certificate_dialog.show(folder)
-
-
-class ExportRecipe(Command):
-    """The command that writes the morph as a recipe."""
-
-    name = "SheetMorph_ExportRecipe"
-    text = QT_TRANSLATE_NOOP("SheetMorph_ExportRecipe", "Export Recipe…")
-    tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_ExportRecipe", "Writes the morph as a recipe that also runs without FreeCAD"
-    )
-    alters = False
-
-    def possible(self) -> bool:
-        """Return whether there is a morph."""
-        return subject.assembly() is not None
-
-    def execute(self) -> None:
-        """Let the user choose a file, and write the recipe."""
-        window = Gui.getMainWindow()
-        title = translate("SheetMorph_ExportRecipe", "Export Recipe")
-        path, _ = QtWidgets.QFileDialog.getSaveFileName(window, title, "recipe.json", RECIPES)
-        owner = subject.assembly()
-        ways = asked_to_write(title, owner, path) if path else None
-        if ways is not None:
-            actions.record(call("export_recipe", name(owner), repr(path), **ways))
-
-
-class ImportRecipe(Command):
-    """The command that reads a morph from a recipe."""
-
-    name = "SheetMorph_ImportRecipe"
-    text = QT_TRANSLATE_NOOP("SheetMorph_ImportRecipe", "Import Recipe…")
-    tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_ImportRecipe", "Creates a morph from a recipe and its mesh files"
-    )
-
-    def possible(self) -> bool:
-        """Return True, since a document is created if there is none."""
-        return True
-
-    def execute(self) -> None:
-        """Let the user choose a file, and read it."""
-        window = Gui.getMainWindow()
-        title = translate("SheetMorph_ImportRecipe", "Import Recipe")
-        path, _ = QtWidgets.QFileDialog.getOpenFileName(window, title, "", RECIPES)
-        if path:
-            open_recipe(path)
-
-
-class OpenExample(Command):
-    """The command that opens an example with marked regions."""
-
-    name = "SheetMorph_OpenExample"
-    text = QT_TRANSLATE_NOOP("SheetMorph_OpenExample", "Open Example…")
-    tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_OpenExample",
-        "Opens an example assembly that is ready to move",
-    )
-
-    def possible(self) -> bool:
-        """Return True; `execute` reports a missing example."""
-        return True
-
-    def execute(self) -> None:
-        """Let the user choose an example, and open it in a new document."""
-        recipes = example_recipes()
-        if not recipes:
-            raise RuntimeError(
-                f"There are no examples in {paths.examples()}; build the add-on again."
-            )
-        title, chosen = QtWidgets.QInputDialog.getItem(
-            Gui.getMainWindow(),
-            translate("SheetMorph_OpenExample", "Open Example"),
-            translate("SheetMorph_OpenExample", "Example"),
-            *(list(recipes), 0, False),
-        )
-        if chosen:
-            open_recipe(recipes[title], title.replace(" ", ""))
+    if chosen:
+        open_recipe(recipes[title], title.replace(" ", ""))

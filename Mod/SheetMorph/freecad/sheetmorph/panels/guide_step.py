@@ -45,12 +45,12 @@ class StepView:
         say(self._widget("text"), words, step.state == guide.FAULTY)
         for name in self._names:
             command = commands[f"SheetMorph_{name}"]
-            is_possible = command.is_sensible()
+            lacking = command.lacks()
             worded, small = self._buttons(name)
-            dress((worded, small), command)
-            worded.setVisible(is_here and is_possible)
+            dress((worded, small), command, lacking)
+            worded.setVisible(is_here and not lacking)
             small.setVisible(not is_here)
-            small.setEnabled(is_possible)
+            small.setEnabled(not lacking)
 
     def _widget(self, name: str):
         return getattr(self._form, f"{self._key}_{name}")
@@ -73,12 +73,14 @@ class _Press:
         self._run(self.name)
 
 
-def dress(buttons, command) -> None:
-    """Give buttons the icon and texts of a command, unless they have them."""
-    resources = command.GetResources()
-    words = [translate(command.name, resources[key]) for key in ("MenuText", "ToolTip")]
+def dress(buttons, command, lacking: str) -> None:
+    """Give buttons the icon and texts of a command and what it lacks, unless they have them."""
+    tooltip = translate(command.name, command.tooltip)
+    if lacking:
+        tooltip += "\n" + translate("SheetMorph_needs", lacking)
+    words = [command.label, tooltip]
     for button in buttons:
         if [button.text(), button.toolTip()] != words:
-            button.setIcon(icon_of(resources["Pixmap"]))
+            button.setIcon(icon_of(command.icon))
             button.setText(words[0])
             button.setToolTip(words[1])

@@ -17,7 +17,7 @@ def place(titles: list[str]) -> None:
     preferences = App.ParamGet(PREFERENCES)
     window = Gui.getMainWindow()
     bars = [window.findChild(QtWidgets.QToolBar, title) for title in titles]
-    if preferences.GetBool("ToolbarsPlaced", False) or None in bars:
+    if preferences.GetBool("ThreeToolbarsPlaced", False) or None in bars:
         return
     for bar in bars:
         window.removeToolBar(bar)
@@ -25,4 +25,4 @@ def place(titles: list[str]) -> None:
     for bar in bars:
         window.addToolBar(bar)
         bar.show()
-    preferences.SetBool("ToolbarsPlaced", True)
+    preferences.SetBool("ThreeToolbarsPlaced", True)

@@ -36,10 +36,10 @@ class TestAddresses(unittest.TestCase):
 @unittest.skipUnless(FreeCAD.GuiUp, "FreeCAD has no window")
 class TestCommand(unittest.TestCase):
     def setUp(self):
-        from freecad.sheetmorph.commands.manual import Manual
+        from freecad.sheetmorph.commands import registered
         from freecad.sheetmorph.qt import QtGui
 
-        self.command = Manual()
+        self.command = registered()["SheetMorph_Manual"]
         patch = mock.patch.object(QtGui.QDesktopServices, "openUrl", return_value=True)
         self.opened = patch.start()
         self.addCleanup(patch.stop)

@@ -37,11 +37,37 @@ class TestWorkbench(unittest.TestCase):
     def test_every_command_is_in_the_menu_and_most_in_a_toolbar(self):
         from freecad.sheetmorph import commands
 
-        self.assertEqual(set(self.names()), set(commands.menu()) - {"Separator"})
+        listed = [name for row in commands.menu().values() for name in row if name != "Separator"]
+        self.assertEqual(sorted(self.names()), sorted(listed))
         workbench = self.gui.getWorkbench("SheetMorphWorkbench")
         shown = {name for title in workbench.toolbars for name in workbench.toolbars[title]}
+        self.assertEqual(len(workbench.toolbars), 3)
         self.assertGreater(len(shown), len(self.names()) // 2)
-        self.assertLessEqual(shown, set(self.names()))
+        self.assertLessEqual(shown, {*self.names(), "Separator"})
+
+    def test_shortcuts_are_different_and_begin_with_a_free_letter(self):
+        from freecad.sheetmorph import commands
+
+        keys = [command.keys for command in commands.registered().values() if command.keys]
+        self.assertGreater(len(keys), 15)
+        self.assertEqual(len(set(keys)), len(keys))
+        foreign = [name for name in self.gui.listCommands() if name not in self.names()]
+        taken = {self.gui.Command.get(name).getShortcut() for name in foreign}
+        for one in keys:
+            self.assertRegex(one, r"^Y, [A-Z]$")
+            self.assertFalse({"Y", one} & taken, one)
+
+    def test_every_panel_that_a_command_opens_is_there(self):
+        from importlib import import_module
+
+        from freecad.sheetmorph import commands
+        from freecad.sheetmorph.commands.base import Panel
+
+        panels = [one.act for one in commands.registered().values() if isinstance(one.act, Panel)]
+        self.assertGreater(len(panels), 8)
+        for panel in panels:
+            module = import_module(f"freecad.sheetmorph.panels.{panel.module}")
+            self.assertTrue(callable(getattr(module, panel.function)), panel.function)
 
     def test_every_panel_loads(self):
         for file in sorted(os.listdir(PANELS)):
@@ -63,11 +89,11 @@ class TestWorkbench(unittest.TestCase):
 
         self.addCleanup(self.gui.setLocale, "English")
         for language, command, panel in (
-            ("German", "Griff bewegen…", "Mitte des Griffs"),
-            ("Japanese", "ハンドルを動かす…", "ハンドルの中心"),
+            ("German", "&Griff bewegen…", "Mitte des Griffs"),
+            ("Japanese", "ハンドルを動かす(&M)…", "ハンドルの中心"),
         ):
             self.gui.setLocale(language)
-            self.assertEqual(translate("SheetMorph_MoveHandle", "Move Handle…"), command)
+            self.assertEqual(translate("SheetMorph_MoveHandle", "&Move Handle…"), command)
             form = self.gui.PySideUic.loadUi(paths.panel("move"))
             self.assertIn(panel, [label.text() for label in vars(form).values() if has_text(label)])
 

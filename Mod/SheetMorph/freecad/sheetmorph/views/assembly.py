@@ -2,16 +2,19 @@
 """The appearance of a morph and of its hidden deformation in the tree."""
 
 from freecad.sheetmorph.interaction.finishing import finishing
+from freecad.sheetmorph.kinds import PART, kind
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.views import menus
 from freecad.sheetmorph.views.base import FollowingView, OwnerView
+from freecad.sheetmorph.views.part import parts_of
 
 
 class AssemblyView(FollowingView, OwnerView):
     """A group; a double click moves its first handle."""
 
     icon = "Morph"
+    _is_due = False
 
     def attach(self, view_object) -> None:
         """Attach the view, and compute a final shape that is missing in an opened document."""
@@ -19,12 +22,11 @@ class AssemblyView(FollowingView, OwnerView):
         if view_object.Object.Document.Restoring:
             finishing().look_at(view_object.Object.Document)
 
-    def doubleClicked(self, _view_object) -> bool:
-        """Open the Move Handle panel if there is a handle."""
-        handles = [r for r in model.regions(self.object) if r.Role == "handle"]
-        if handles:
-            menus.move(handles[0])
-        return bool(handles)
+    @property
+    def opened_by(self) -> str:
+        """The command that moves the first handle, empty without any."""
+        is_movable = any(region.Role == "handle" for region in model.regions(self.object))
+        return "MoveHandle" if is_movable else ""
 
     def getIcon(self) -> str:
         """Return the icon, another one for a morph that cannot be computed."""
@@ -35,13 +37,31 @@ class AssemblyView(FollowingView, OwnerView):
         return "MorphFault" if model.failure_of(self.object) else "Morph"
 
     def updateData(self, obj, name: str) -> None:
-        """Update the icons of the primary part and of a faulty morph."""
+        """Update the icons of the primary part and of a faulty morph, and the rows of parts."""
+        if name == "Group" and not (self._is_due or obj.Document.Restoring):
+            self._is_due = True
+            QtCore.QTimer.singleShot(0, self._show_members)
         if name == "Status":  # the recompute that sets the status is not finished yet
             QtCore.QTimer.singleShot(0, self._change_icon)
         if name == "Primary":
             views = [part.ViewObject for part in model.parts(obj)]
             for view in filter(None, views):  # a part that is being deleted has no view
                 view.signalChangeIcon()
+
+    def _show_members(self) -> None:
+        """Let the tree ask the parts for their children, which are links from others to them.
+
+        FreeCAD asks a touched object. A part that waits for a recompute stays touched.
+        """
+        self._is_due = False
+        try:
+            for part in model.parts(self.object):
+                is_due = "Touched" in part.State
+                part.touch("")  # without a request to recompute it
+                if not is_due:
+                    part.purgeTouched()
+        except (ReferenceError, RuntimeError):
+            return  # deleted meanwhile
 
     def _change_icon(self) -> None:
         try:
@@ -50,10 +70,17 @@ class AssemblyView(FollowingView, OwnerView):
         except (ReferenceError, RuntimeError):
             return  # deleted meanwhile
 
-    def setupContextMenu(self, _view_object, menu) -> bool:
-        """Add the entries of a morph."""
-        menus.add_assembly_actions(menu, self.object)
-        return False
+    def setupContextMenu(self, view_object, menu) -> bool:
+        """Add an entry that shows a fault, and the commands."""
+        if model.failure_of(self.object):
+            menus.add_problem(menu)
+        return super().setupContextMenu(view_object, menu)
+
+    def claimChildren(self) -> list:
+        """Return the members of the group, apart from those that a part of it claims."""
+        group = self.object.Group
+        parts = {member for member in group if kind(member) == PART}
+        return [member for member in group if parts.isdisjoint(parts_of(member))]
 
 
 class DeformationView(FollowingView):

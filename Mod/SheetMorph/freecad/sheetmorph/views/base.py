@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The common base of view providers: an icon, no saved state, no placement dragger."""
+"""The common base of view providers: icon, double click, context menu; no saved state."""
 
-from freecad.sheetmorph import actions, paths
+from freecad.sheetmorph import actions, commands, paths
+from freecad.sheetmorph.views import menus
 
 
 class View:
     """A view provider proxy, which stores its view object in memory only."""
 
     icon = ""
+    opened_by = ""  # the command of a double click, without prefix
 
     def __init__(self, view_object):
         view_object.Proxy = self
@@ -24,6 +26,17 @@ class View:
     def getIcon(self) -> str:
         """Return the icon in the tree."""
         return paths.icon(self.icon)
+
+    def doubleClicked(self, _view_object) -> bool:
+        """Run the command of a double click, if there is one."""
+        if self.opened_by:
+            commands.run(f"SheetMorph_{self.opened_by}", self.object)
+        return bool(self.opened_by)
+
+    def setupContextMenu(self, _view_object, menu) -> bool:
+        """Add the commands that apply to the selection; return False to keep FreeCAD's entries."""
+        menus.fill(menu)
+        return False
 
     def setEdit(self, _view_object, _mode: int) -> bool:
         """Refuse editing with FreeCAD's dragger, which would change the placement."""

@@ -3,7 +3,6 @@
 
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import colours
-from freecad.sheetmorph.views import menus
 from freecad.sheetmorph.views.patches import PatchView
 
 
@@ -11,6 +10,7 @@ class ContactView(PatchView):
     """A contact between two parts."""
 
     drawn_properties = ("PartA", "PartB", "VerticesA", "VerticesB")
+    opened_by = "EditContact"
 
     def __init__(self, view_object):
         super().__init__(view_object)
@@ -36,13 +36,3 @@ class ContactView(PatchView):
         super().updateData(obj, name)
         if name == "Active":
             self._view_object.signalChangeIcon()
-
-    def doubleClicked(self, _view_object) -> bool:
-        """Open the contact in its panel."""
-        menus.edit_contact(self.object)
-        return True
-
-    def setupContextMenu(self, _view_object, menu) -> bool:
-        """Add the entries of a contact."""
-        menus.add_contact_actions(menu, self.object)
-        return False

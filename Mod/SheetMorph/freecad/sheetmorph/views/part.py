@@ -3,12 +3,14 @@
 
 from freecad.sheetmorph import generations
 from freecad.sheetmorph.bridge.rest import read_kept
+from freecad.sheetmorph.kinds import CONTACT, REGION, kind
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.element_lines import ElementLines
-from freecad.sheetmorph.views import menus
 from freecad.sheetmorph.views.base import OwnerView
+
+ROLES = ("fixed", "handle", "form feature", "follower")  # the order of regions in the tree
 
 
 class PartView(OwnerView):
@@ -59,14 +61,29 @@ class PartView(OwnerView):
         return super().getIcon()
 
     def claimChildren(self) -> list:
-        """Return the source mesh, the mesh it was prepared from, and the property shells."""
+        """Return regions and contacts, the source mesh, its original, and the property shells."""
         meshes = (getattr(self.object, name, None) for name in ("Source", "Original"))
         shells = getattr(self.object, "Shells", None) or []
-        return [*(mesh for mesh in meshes if mesh is not None), *shells]
+        return [*members_of(self.object), *(mesh for mesh in meshes if mesh is not None), *shells]
 
-    def setupContextMenu(self, _view_object, menu) -> bool:
-        """Add the entries of a part."""
-        owner = model.assembly_of(self.object)
-        if owner is not None:
-            menus.add_part_actions(menu, owner, self.object)
-        return False
+
+def parts_of(member) -> list:
+    """Return the part of a region, or the parts of a contact, which may be None."""
+    links = {REGION: ("Part",), CONTACT: ("PartA", "PartB")}.get(kind(member), ())
+    return [getattr(member, link, None) for link in links]
+
+
+def members_of(part) -> list:
+    """Return the regions of a part by role, then its contacts; a contact has two parts.
+
+    They are searched in the group, because the part itself must not depend on them.
+    """
+    owner = model.assembly_of(part)
+    found = [member for member in owner.Group if part in parts_of(member)] if owner else []
+    return sorted(found, key=rank)
+
+
+def rank(member) -> tuple[int, int]:
+    """Return the place of a region or contact among those of its part: by kind, then by age."""
+    role = getattr(member, "Role", "")
+    return (ROLES.index(role) if role in ROLES else len(ROLES)), member.ID

@@ -3,7 +3,6 @@
 
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import colours
-from freecad.sheetmorph.views import menus
 from freecad.sheetmorph.views.patches import PatchView
 
 ICONS = {"fixed": "MarkFixed", "handle": "MarkHandle", "form feature": "MarkFeature"}
@@ -27,15 +26,7 @@ class RegionView(PatchView):
         self.icon = ICONS.get(getattr(self.object, "Role", ""), "Morph")
         return super().getIcon()
 
-    def doubleClicked(self, _view_object) -> bool:
-        """Move a handle, or edit any other region."""
-        if self.object.Role == "handle":
-            menus.move(self.object)
-        else:
-            menus.edit(self.object)
-        return True
-
-    def setupContextMenu(self, _view_object, menu) -> bool:
-        """Add the entries of a region."""
-        menus.add_region_actions(menu, self.object)
-        return False
+    @property
+    def opened_by(self) -> str:
+        """The command that moves a handle, or edits any other region."""
+        return "MoveHandle" if self.object.Role == "handle" else "EditRegion"
