@@ -29,7 +29,11 @@ LONGEST = 200.0  # seconds to wait for a step
 
 
 class Steps:
-    """The time of every step, and the longest time in it in which no event was handled."""
+    """The time of every step, and the longest time in it in which no event was handled.
+
+    The processor time of the window's thread in such a time does not depend on what else the
+    machine does.
+    """
 
     def __init__(self, title: str):
         self.told, self._title = [], title
@@ -40,11 +44,13 @@ class Steps:
     def _beat(self) -> None:
         now = time.monotonic()
         self._still, self._last = max(self._still, now - self._last), now
+        now = time.thread_time()
+        self._busy, self._used = max(self._busy, now - self._used), now
 
     def step(self, title: str, action, is_done):
         """Does what a generator does and waits; a picture shows the progress, if there is any."""
         self._still, begin, own = 0.0, time.monotonic(), time.process_time()
-        self._last = begin
+        self._busy, self._used, self._last = 0.0, time.thread_time(), begin
         yield from action
         is_pictured = False
         while not is_done():
@@ -53,12 +59,14 @@ class Steps:
                 self._beat()
                 picture(f"{self._name()}-progress-{len(self.told)}")
                 self._last = time.monotonic()  # FreeCAD stood still for the picture
+                self._used = time.thread_time()
                 is_pictured = True
             yield POLL
         self._beat()
         taken, own = time.monotonic() - begin, time.process_time() - own
         progress = ", progress shown" if is_pictured else ""
-        still = f"{own:.1f} s of processor, still for {self._still:.1f} s{progress}"
+        still = f"still for {self._still:.2f} s, {self._busy:.2f} of its own{progress}"
+        still = f"{own:.1f} s of processor, {still}"
         self.told.append(f"{title} {taken:.1f} s ({still})")
         note(f"{self._title}: {self.told[-1]}")
         picture(f"{self._name()}-{len(self.told)}")

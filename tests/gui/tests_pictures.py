@@ -13,7 +13,7 @@ import numpy as np
 import Part
 from checks_dragging import drag_up, grab_up_arrow
 from checks_finding import bare_frame, cell_place
-from checks_flow import drag_arrow_up, loop_round, select, stroke_along
+from checks_flow import bring_beside_the_panel, drag_arrow_up, loop_round, select, stroke_along
 from checks_measuring import close_sections, measure_ends, show_section
 from checks_moving import open_panel
 from checks_preparing import coarse_plate, is_previewed
@@ -37,30 +37,29 @@ from scenes import assembly, contacts, look, new_assembly, new_morph, part, regi
 FOLDER = os.environ.get("SHEETMORPH_PICTURES", WORK)
 WIDTH = 1100  # px
 COLOURS = 128
+FRAMES = 16  # of the animation, on the way up; the way back shows them again
+LIFT, TURN = 70.0, 12.0  # mm, degrees
+MOVIE = ["-resize", "720x", "-fuzz", "2%", "+dither", "-colors", "64", "-layers", "optimize"]
 
 
 def taken(name: str, with_panel: bool = True):
     """The task view, if wanted, and the 3D view as they are now, as a picture of the guide."""
     yield from settled()  # what the last click has asked for is drawn
-    window = Gui.getMainWindow()
-    docks = window.findChildren(QtGui.QDockWidget) if with_panel else []
+    docks = Gui.getMainWindow().findChildren(QtGui.QDockWidget) if with_panel else []
     docks = [dock for dock in docks if dock.isAncestorOf(panel())]
-    box = QtCore.QRect()
-    for widget in (*docks, window.findChild(QtGui.QMdiArea)):
-        box |= QtCore.QRect(widget.mapToGlobal(QtCore.QPoint(0, 0)), widget.size())
-    crop = f"{box.width()}x{box.height()}+{box.x()}+{box.y()}"
-    command = [
-        "convert",
-        picture(f"whole-{name}"),
-        "-crop",
-        crop,
-        "+repage",
-        "-resize",
-        f"{WIDTH}>",
-    ]
+    crop = crop_of(*docks, Gui.getMainWindow().findChild(QtGui.QMdiArea))
+    command = ["convert", picture(f"whole-{name}"), *crop, "-resize", f"{WIDTH}>"]
     path = os.path.join(FOLDER, f"{name}.png")
     subprocess.run([*command, "-colors", str(COLOURS), "-strip", f"PNG8:{path}"], check=True)
     assert os.path.getsize(path) > 10_000
+
+
+def crop_of(*widgets) -> list[str]:
+    """The words for ImageMagick that cut widgets out of a picture of the screen."""
+    box = QtCore.QRect()
+    for widget in widgets:
+        box |= QtCore.QRect(widget.mapToGlobal(QtCore.QPoint(0, 0)), widget.size())
+    return ["-crop", f"{box.width()}x{box.height()}+{box.x()}+{box.y()}", "+repage"]
 
 
 def large_view():
@@ -185,6 +184,34 @@ def test_other_parts_follow():
     yield from settled()
     yield from drag_arrow_up(40)
     yield from taken("frame-dragged")
+    yield from press("Cancel")
+
+
+def test_the_animation_of_the_readme():
+    """The frame while its front end is lifted and turned, and comes back."""
+    yield from large_view()
+    assert exchange.open_recipe(exchange.example_recipes()["Welded Frame"], "Frame")
+    look()
+    yield from settled()
+    yield from open_panel()
+    yield from click_widget(child("reset"))  # the example comes moved
+    yield from bring_beside_the_panel()
+    yield from click_widget(child("along_y"))
+    shots = []
+    for share in np.linspace(0.0, 1.0, FRAMES):
+        child("translation_z").setValue(LIFT * share)
+        child("angle").setValue(-TURN * share)
+        yield from settled()
+        shots.append(picture(f"frame-{len(shots):02}"))
+    handle = regions("handle")[0]
+    assert (handle.TranslationZ.Value, handle.Angle.Value) == (LIFT, -TURN)
+    crop = crop_of(view().graphicsView().viewport())
+    path = os.path.join(FOLDER, "frame-lifted.gif")
+    begin, way, end = shots[0], shots[1:-1], shots[-1]
+    words = ["-delay", "60", begin, "-delay", "6", *way, "-delay", "90", end]
+    words += ["-delay", "6", *reversed(way), *crop, *MOVIE, "-loop", "0", path]
+    subprocess.run(["convert", *words], check=True)
+    assert os.path.getsize(path) > 50_000
     yield from press("Cancel")
 
 
