@@ -12,11 +12,15 @@ FOREIGN = {
     "bindings/python/sheetmorph/recipe/reading.py",  # tomllib tells line and column in words alone
 }
 EDGES = {
+    "bindings/python/sheetmorph/certifying/page.py": "the page of a certificate",
     "bindings/python/sheetmorph/cli/entry.py": "the command line",
     "bindings/python/sheetmorph/morph/morph.py": "a morph in a notebook",
     "bindings/python/sheetmorph/pictures/notebook.py": "a picture in a notebook",
+    "bindings/python/sheetmorph/starting/installation.py": "the report of doctor",
+    "bindings/python/sheetmorph/study/pictures.py": "the page of a study",
     "Mod/SheetMorph/freecad/sheetmorph/bridge/kernel.py": "the report of Check Installation",
     "Mod/SheetMorph/freecad/sheetmorph/commands/installation.py": "the report view of FreeCAD",
+    "Mod/SheetMorph/freecad/sheetmorph/init_gui.py": "the report view of FreeCAD",
     "Mod/SheetMorph/freecad/sheetmorph/scene/drawing.py": "why the compiled module does not load",
 }
 """Modules that make the text of an error, and where the user sees it."""
