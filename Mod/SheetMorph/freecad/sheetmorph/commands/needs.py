@@ -14,8 +14,7 @@ from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 
 MOMENT = 0.005  # s; Chosen: longer than FreeCAD takes to ask all commands, shorter than it rests
-_answers: dict[Need, str] = {}
-_end = 0.0
+_answers: dict[Need, tuple[float, str]] = {}  # with the time until which they hold, s
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,14 +36,12 @@ class Need:
 
         Only the words of a disabled command depend on it, not whether it is available.
         """
-        global _end
         now = time.monotonic()
-        if now > _end:
-            _answers.clear()
-            _end = now + MOMENT
-        if self not in _answers:
-            _answers[self] = self.lacks()
-        return _answers[self]
+        end, words = _answers.get(self, (0.0, ""))
+        if now > end:
+            words = self.lacks()
+            _answers[self] = now + MOMENT, words
+        return words
 
 
 def features() -> list:
