@@ -50,9 +50,8 @@ class TestLive(support.DocumentTest):
         stored, rest = support.local_points(self.part), self.live.parts[self.part.Name].points
         frame = self.live.answer(self.live.ask_share(0.25))
         self.assertLess(support.largest(frame.positions[self.part.Name] - rest), 12.0)
-        quarter = self.live.deform(
-            {self.handle.Name: Motion((0.0, 0.0, 7.5), (0.0, 1.0, 0.0), 5.0)}
-        )
+        motion = Motion((0.0, 0.0, 7.5), (0.0, 1.0, 0.0), 5.0)
+        quarter = support.live_positions(self.live, {self.handle.Name: motion})
         shown = self.live.parts[self.part.Name].frame.to_local(frame.positions[self.part.Name])
         np.testing.assert_allclose(shown, quarter[self.part.Name], atol=1e-3)
         at_rest = self.live.answer(self.live.ask_share(0.0)).positions[self.part.Name]
