@@ -45,7 +45,7 @@ def to_meshio(points: Floats, triangles: Ints, data: Mapping[str, Array]) -> Any
     return meshio.Mesh(points, [("triangle", triangles)], point_data=dict(data))
 
 
-def of_vtk(data: Any) -> tuple[Floats, list[list[int]]]:
+def of_vtk(data: Any) -> tuple[Floats, Any]:
     """Return the points (n, 3) and faces of a vtkPolyData, such as pyvista's. Raises InputError."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
 

@@ -117,7 +117,9 @@ class PartMesh:
             raise InputError(what, "count vertices from 0")
         if isinstance(faces, np.ndarray) and faces.shape[1] == 3:
             return np.ascontiguousarray(faces, dtype=np.int32)
-        corners = [face[:3] if len(face) == 4 and face[2] == face[3] else face for face in faces]
+        corners: list[Any] = [
+            face[:3] if len(face) == 4 and face[2] == face[3] else face for face in faces
+        ]
         return triangulate(self.points, corners)
 
     def _check_ids(self, ids: Ints) -> None:
@@ -148,7 +150,8 @@ class PartMesh:
         InputError
             If it has no surface, or cells with mid-side nodes.
         """
-        return cls(in_space(mesh.points), faces_of_meshio(mesh.cells), name=name)
+        faces: Any = faces_of_meshio(mesh.cells)
+        return cls(in_space(mesh.points), faces, name=name)
 
     @classmethod
     def from_pyvista(cls, surface: Any, name: str = "") -> PartMesh:

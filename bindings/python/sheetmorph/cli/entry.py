@@ -101,7 +101,8 @@ def _say_json(command: str, found: SheetMorphError, error: Exception) -> None:
 def _explained(error: Exception, recipe: str, files: FileSet) -> tuple[SheetMorphError, int]:
     """Return the faults of an error with the text to print, and the exit status."""
     if isinstance(error, SheetMorphError):
-        if isinstance(error, (ValueError, KernelError)):
+        is_input = isinstance(error, (ValueError, KernelError))
+        if is_input:
             return error, BAD_INPUT
         # An earlier run wrote the files of a certificate, so nothing is said about writing.
         state = "" if hasattr(error, "certificate") else f"; {_state(files)}"
