@@ -152,6 +152,7 @@ class MovePanel(Panel):
             return
         if motion_of(self._handle) != self._moving.motion:
             self._choose(self._handle)  # an expression drives it; this changes no property
+        self._mark_others()
         self._pending.settle()
         if self._live is not None and self._updating.is_due_on_pause():
             self._live.ask([self._handle], exact=True)
