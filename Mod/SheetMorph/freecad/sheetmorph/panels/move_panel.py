@@ -146,9 +146,10 @@ class MovePanel(Panel):
     def settle(self) -> None:
         """Compute exactly after the mouse was released or a pause."""
         self._pause.stop()
-        if self._drag.is_dragging:
+        if self._drag.is_dragging or self._handle is None:
             return
-        self._moving.set(motion_of(self._handle))  # which an expression may drive
+        if motion_of(self._handle) != self._moving.motion:
+            self._choose(self._handle)  # an expression drives it; this changes no property
         self._mark_others()
         self._pending.settle()
         if self._live is not None and self._updating.is_due_on_pause():
