@@ -47,13 +47,15 @@ def test_triangles_that_flip_are_red_until_they_do_not():
     rest = stored()
     yield from open_panel()
     assert red_triangles() == 0
-    yield from enter(child("angle"), "175")
+    yield from enter(child("angle"), "100")
     yield from until(lambda: red_triangles() > 0, "the red triangles")
+    yield from settled()
+    assert "onto a neighbour" in child("staying").text(), child("staying").text()
     picture("blame-triangles")
     yield from enter(child("angle"), "2")
     yield from settled()
     assert red_triangles() == 0
-    yield from enter(child("angle"), "175")
+    yield from enter(child("angle"), "100")
     yield from until(lambda: red_triangles() > 0, "the red triangles again")
     yield from press("Cancel")
     assert red_triangles() == 0 and np.array_equal(stored(), rest)

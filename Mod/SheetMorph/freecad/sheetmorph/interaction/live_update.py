@@ -168,6 +168,7 @@ class LiveUpdate(QtCore.QObject):
         if isinstance(answer, Flips):
             if answer.frame is self._frame:
                 self.scene.mark_flips(answer.triangles)
+                self.drawn.emit()  # the panel shows the warning, which is newer than the frame
             return
         is_new = answer[0] is not self._frame
         self._frame, values, self.legend, milliseconds = answer
