@@ -16,6 +16,7 @@ __all__ = [
     "test_undo_goes_back_step_by_step_inside_the_move_panel",
     "test_redo_in_the_move_panel_brings_back_what_was_moved",
     "test_undo_and_redo_go_to_and_fro_inside_the_move_panel",
+    "test_the_keys_of_undo_and_redo_act_in_the_fields_of_the_move_panel",
     "test_what_an_undo_has_left_in_the_move_panel_is_kept_as_one_step",
     "test_undo_of_the_creation_of_a_handle_ends_its_panel",
     "test_undo_goes_back_inside_the_blend_panel",
@@ -109,6 +110,28 @@ def test_undo_and_redo_go_to_and_fro_inside_the_move_panel():
     yield from press("Cancel")
     assert np.array_equal(stored(), rest) and not open_steps()
     assert App.ActiveDocument.UndoNames == App.ActiveDocument.RedoNames == []
+
+
+def test_the_keys_of_undo_and_redo_act_in_the_fields_of_the_move_panel():
+    """A field that has the keys would take them for its text; while one types it still does."""
+    yield from new_morph()
+    yield from open_panel()
+    for field, text in (("translation_z", "20"), ("translation_x", "5")):
+        yield from enter(child(field), text)
+        yield from settled()
+    child("translation_y").setFocus()
+    for key, values in (("ctrl+z", (0, 0, 20)), ("ctrl+shift+z", (5, 0, 20))):
+        assert child("translation_y").hasFocus(), key
+        yield from offered("Std_Undo" if key == "ctrl+z" else "Std_Redo")
+        yield from xdotool("key", key)
+        yield from until(lambda v=values: fields() == v, f"{values} by {key}")
+        yield from settled()
+        child("translation_y").setFocus()
+    yield from xdotool("key", "ctrl+a", "7", "8", "ctrl+z")
+    yield from settled()
+    assert fields()[::2] == (5.0, 20.0), "the typed text is taken back, not what was moved"
+    yield from press("Cancel")
+    assert not open_steps() and App.ActiveDocument.UndoNames == []
 
 
 def test_what_an_undo_has_left_in_the_move_panel_is_kept_as_one_step():

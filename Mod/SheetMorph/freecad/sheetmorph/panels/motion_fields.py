@@ -28,6 +28,7 @@ class MotionFields:
             moved = self._leave_centroid if field in fields[6:9] else self._send
             connect(field, "valueChanged(double)", moved)
             connect(field, "editingFinished()", self._end_typing)
+            field.leaves_undo = True
         for c in "xyz":
             button = getattr(form, f"along_{c}")
             button.setCheckable(True)

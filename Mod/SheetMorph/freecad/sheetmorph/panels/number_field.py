@@ -25,8 +25,11 @@ USUAL = 12345.67  # a number that the field must have room for
 class NumberField(QtWidgets.QDoubleSpinBox):
     """A field with an exact `value()`, shown with a unit or `shown_decimals`.
 
-    If the minimum has a `specialValueText`, an empty field means the minimum too.
+    If the minimum has a `specialValueText`, an empty field means the minimum too. With
+    `leaves_undo`, the keys of undo and redo go to the document unless the user is typing.
     """
+
+    leaves_undo = False
 
     def __init__(self, unit: str = "", shown_decimals: int = 2):
         """Create a field; `unit` is "mm", "deg" or empty."""
@@ -49,6 +52,25 @@ class NumberField(QtWidgets.QDoubleSpinBox):
 
     def _finish(self) -> None:
         self.lineEdit().setModified(False)
+
+    def focusInEvent(self, event) -> None:
+        """Watch the keys; not before, since a filter slows down every event of a field."""
+        super().focusInEvent(event)
+        self.installEventFilter(self)
+
+    def focusOutEvent(self, event) -> None:
+        """Watch the keys no longer."""
+        self.removeEventFilter(self)
+        super().focusOutEvent(event)
+
+    def eventFilter(self, _watched, event) -> bool:
+        """Leave the keys of undo and redo to the document, which the field would claim."""
+        if event.type() != QtCore.QEvent.ShortcutOverride or self.is_edited:
+            return False
+        is_step = event.matches(QtGui.QKeySequence.Undo) or event.matches(QtGui.QKeySequence.Redo)
+        if is_step and self.leaves_undo:
+            event.ignore()
+        return is_step and self.leaves_undo
 
     def measure(self, unit: str) -> None:
         """Set the unit, "mm" for lengths or "deg" for angles."""

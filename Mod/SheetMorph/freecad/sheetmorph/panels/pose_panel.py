@@ -82,6 +82,7 @@ class PosePanel(Panel):
         form.second.setCurrentIndex(self._poses.index(pose))
         form.slider.setValue(100)
         form.percent.setValue(100)
+        form.percent.leaves_undo = True
         connect(form.first, "currentIndexChanged(int)", self._choose)
         connect(form.second, "currentIndexChanged(int)", self._choose)
         connect(form.slider, "valueChanged(int)", form.percent.setValue)
