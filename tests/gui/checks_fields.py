@@ -115,6 +115,8 @@ def test_what_is_typed_while_the_program_writes_is_read_as_typed():
             yield from xdotool("key", "ctrl+a")
             for k, key in enumerate(text):
                 yield from xdotool("type", "--", key)
+                typed = text[: k + 1]
+                yield from until(lambda f=field, t=typed: f.text() == t, f"{typed} to arrive")
                 child("translation_y").setValue(0.125 * k)
                 field.setValue(0.5 * k)
             assert field.text() == text, (name, field.text())
