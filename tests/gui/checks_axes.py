@@ -93,7 +93,7 @@ def axes_in_use() -> np.ndarray:
     """The axes of the drag of the open panel."""
     drags = [one for one in gc.get_objects() if isinstance(one, HandleDrag)]
     (drag,) = [one for one in drags if not one._owner.session.is_over]
-    return drag._owner.axes()
+    return drag._moving.axes
 
 
 def test_an_expression_keeps_the_global_axes():
