@@ -141,6 +141,11 @@ class Caution(str):
 _MOST_LINES = 20
 
 
+def _restored(kind: type[SheetMorphError], texts: tuple[str, ...]) -> SheetMorphError:
+    """Return an error without its faults, which pickle adds."""
+    return kind.__new__(kind, *texts)
+
+
 class SheetMorphError(Exception):
     """The base of all errors of SheetMorph, with their faults.
 
@@ -161,6 +166,10 @@ class SheetMorphError(Exception):
         more = len(self.faults) - _MOST_LINES
         lines += [f"and {more:,} more"] if more > 0 else []
         super().__init__("\n".join(lines) if text is None else text)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # Workers of a study send their errors, whatever arguments the class takes.
+        return _restored, (type(self), self.args), self.__dict__
 
     def __getattr__(self, name: str) -> Any:
         if name in Fault.__dataclass_fields__ and self.faults:
