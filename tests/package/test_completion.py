@@ -5,8 +5,11 @@ from __future__ import annotations
 
 import os
 import shutil
+import signal
 import subprocess
+import time
 from pathlib import Path
+from subprocess import PIPE
 
 import pytest
 
@@ -80,3 +83,16 @@ def test_the_launcher_runs_from_any_folder_and_through_a_link(tmp_path: Path):
         assert done.stdout == f"sheetmorph {sheetmorph.__version__}\n"
     done = subprocess.run([link, "run", "--help"], env=clean, capture_output=True, text=True)
     assert "Example: sheetmorph run recipe.json -o deformed" in done.stdout
+
+
+@pytest.mark.skipif(not LAUNCHER.is_file(), reason="the package is not in a build folder")
+def test_an_interrupt_while_python_imports_prints_no_traceback(tmp_path: Path):
+    clean = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    said = []
+    for delay in (0.03 * k for k in range(1, 11)):
+        with subprocess.Popen([LAUNCHER, "--help"], env=clean, stdout=PIPE, stderr=PIPE) as program:
+            time.sleep(delay)
+            program.send_signal(signal.SIGINT)
+            said.append(program.communicate()[1].decode())
+    # Before the launcher runs, Python itself answers with its own traceback.
+    assert not any("sheetmorph/" in text or "numpy" in text for text in said), said

@@ -36,9 +36,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if wanted.report == STDOUT:
         wanted.json, wanted.report = STDOUT, None if wanted.json == STDOUT else wanted.json
     files = FileSet(wanted.command, force=getattr(wanted, "force", False))
-    numbers = [number for number in stopping_signals() if number != signal.SIGINT]
-    previous = {number: signal.signal(number, _interrupt) for number in numbers}
+    previous = {}
     try:
+        for number in stopping_signals():
+            if signal.getsignal(number) is not signal.SIG_IGN:  # as nohup wants
+                previous[number] = signal.signal(number, _interrupt)
         with _deck_options(wanted):
             if wanted.command not in _OWN_TARGET:
                 require_target(wanted, _inputs_of(wanted), files)
