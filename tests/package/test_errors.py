@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import json
+import pickle
+import sys
 from pathlib import Path
 
 import jsonschema
@@ -13,6 +15,7 @@ import pytest
 import sheetmorph as sm
 from sheetmorph import Caution, Fault, SheetMorphError, Subject
 from sheetmorph.base.errors import FailedError, fault_of, reason_of
+from sheetmorph.base import pages
 from sheetmorph.base.kernel import load_kernel
 from sheetmorph.certifying import NotCertified
 from sheetmorph.cli import main
@@ -24,6 +27,7 @@ from sheetmorph.recipe.splitting import SplitError
 from sheetmorph.reporting.report import report_schema
 from sheetmorph.selecting import Question
 from sheetmorph.selecting.chosen import SelectorError
+from sheetmorph.study import run_study
 
 WEAK = Fault("pose.tip", "it is wrong", "correct it", "torn", (Subject("handle", "tip"),), (3, 4))
 INPUTS = [
@@ -61,6 +65,21 @@ def test_an_error_has_faults_and_its_old_base(error: SheetMorphError, text: str,
     )
     with pytest.raises(AttributeError):
         error.wrong  # noqa: B018
+
+
+@pytest.mark.parametrize("error", [error for error, _ in INPUTS + FAILURES])
+def test_an_error_comes_whole_from_another_process(error: SheetMorphError):
+    same = pickle.loads(pickle.dumps(error))
+    assert type(same) is type(error) and str(same) == str(error)
+    assert list(same.faults) == list(error.faults) and vars(same) == vars(error)
+
+
+def test_a_page_without_its_template_engine_is_refused_before_any_work(tmp_path: Path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "jinja2", None)
+    pages._environment.cache_clear()
+    with pytest.raises(FailedError, match="install python3-jinja2"):
+        run_study(tmp_path / "no study.json", tmp_path / "out")
+    assert not (tmp_path / "out").exists()
 
 
 def test_an_error_of_the_kernel_is_an_error_of_the_package():

@@ -8,24 +8,33 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from .errors import FailedError
+
 if TYPE_CHECKING:
     from jinja2 import Environment
 
 _MOST = 8
 
 
+def require_pages() -> None:
+    """Check that pages can be written. Raises FailedError."""
+    _environment()
+
+
 def page(template: str, **content: object) -> str:
     """Return a page; a template is named by its path in the package, such as "study/page.html".
 
-    Text in the content stays text, whatever characters it has.
+    Text in the content stays text, whatever characters it has. Raises FailedError.
     """
     return _environment().get_template(template).render(content)
 
 
 @cache
 def _environment() -> Environment:
-    # Most commands write no page and start faster without the import.
-    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    try:  # most commands write no page and start faster without the import
+        from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    except ModuleNotFoundError:
+        raise FailedError("no page can be written", "install python3-jinja2") from None
 
     made = Environment(
         loader=FileSystemLoader(Path(__file__).parents[1]),

@@ -15,6 +15,7 @@ import numpy as np
 from ..base.arrays import Floats, Ints
 from ..base.errors import Fault, FileError, SheetMorphError
 from ..base.kernel import load_kernel
+from ..base.pages import require_pages
 from ..base.words import counted, folds
 from ..checking import prepare
 from ..checking.auto import filled
@@ -92,6 +93,8 @@ def certify(
     for target in (targets.json, targets.page):
         if target is not None:
             files.require_ours(target)
+    if targets.page is not None:
+        require_pages()
     written = certifier.written(places)
     sizes = {name: motion.size for name, motion in model.pose.items() if motion.size is not None}
     certificate = certifier.certificate(folder, written, sizes)

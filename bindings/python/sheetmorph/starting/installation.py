@@ -26,6 +26,7 @@ _MODULES = (
     ("jsonschema", "jsonschema", "python3-jsonschema", "recipes"),
     ("meshio", "meshio", "python3-meshio", "files such as VTK and VTU"),
     ("scipy", "scipy", "python3-scipy", "samples of studies"),
+    ("Jinja2", "jinja2", "python3-jinja2", "pages of certificates and studies"),
     ("VTK", "vtkmodules.vtkCommonCore", "python3-vtk9", "pictures"),
 )
 _NEEDED = tuple(name for name, *_ in _MODULES[:3])

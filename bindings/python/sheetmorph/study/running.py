@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from ..base.errors import Fault, FileError, RecipeError
+from ..base.pages import require_pages
 from ..base.progress import Progress
 from ..base.words import counted
 from ..pictures import missing_tools
@@ -107,9 +108,10 @@ def run_study(path: str | Path, out: str | Path, ways: Ways | None = None) -> St
 
     Raises
     ------
-    RecipeError, FileError, KernelError, OSError
+    RecipeError, FileError, FailedError, OSError
     """
     ways = ways or Ways()
+    require_pages()
     plan = Plan(path, ways.progress)
     _require_apart(plan, Path(out))
     store = Store(Path(out))
