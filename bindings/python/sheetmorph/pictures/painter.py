@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 import pickle
+import select
 import subprocess
 import sys
 from typing import TYPE_CHECKING, Any, BinaryIO
@@ -46,6 +47,7 @@ _CREASE = 30.0  # degrees; sharper edges are not smoothed
 _MARGIN = 1.12
 _BAND = 56  # pixels for texts, above and below the parts
 _SHADES = 256
+_SECONDS_TO_START = 20.0
 
 
 def paint(scene: Scene, window: Any) -> bytes:
@@ -321,9 +323,11 @@ def _start_screen() -> subprocess.Popen[bytes]:
         stderr=subprocess.DEVNULL,
     )
     os.close(writing)
+    is_ready = bool(select.select([reading], [], [], _SECONDS_TO_START)[0])
     with os.fdopen(reading) as answer:
-        number = answer.readline().strip()
+        number = answer.readline().strip() if is_ready else ""
     if not number:
+        server.kill()
         raise SystemExit("no virtual screen starts; check that Xvfb works")
     os.environ["DISPLAY"] = f":{number}"
     return server

@@ -143,9 +143,8 @@ class LiveSession:
         return Question(self._pose, (name,))
 
     def ask_share(self, share: float) -> Question:
-        """Return the request for a share of the document's pose, for a view without a commit."""
-        pose = recipes.pose_of(self._assembly, self.names)
-        return Question(pose, tuple(pose), share=share)
+        """Return the request for a share of the last pose read, for a view without a commit."""
+        return Question(self._pose, tuple(self._pose), share=share)
 
     def posed(self, pose: Pose) -> Morph:
         """Return the morph of this session in a pose."""

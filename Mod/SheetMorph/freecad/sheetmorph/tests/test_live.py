@@ -48,6 +48,7 @@ class TestLive(support.DocumentTest):
         api.set_motion(self.handle, (0, 0, 30), (0, 1, 0), 20)
         self.document.recompute()
         stored, rest = support.local_points(self.part), self.live.parts[self.part.Name].points
+        self.live.ask()
         frame = self.live.answer(self.live.ask_share(0.25))
         self.assertLess(support.largest(frame.positions[self.part.Name] - rest), 12.0)
         motion = Motion((0.0, 0.0, 7.5), (0.0, 1.0, 0.0), 5.0)
