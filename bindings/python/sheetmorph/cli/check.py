@@ -18,13 +18,13 @@ def execute(wanted: argparse.Namespace, _files: FileSet) -> Outcome:
     require_criteria(wanted)
     judge = (lambda folder: judged_run(wanted, folder)) if wanted.certify else None
     with progress_on(sys.stderr, wanted.quiet) as progress:
-        told = check(
+        remarks = check(
             wanted.recipe, out_dir=wanted.output, pose=wanted.pose, report=json_target(wanted),
             strict=wanted.strict, pictures=wanted.pictures, step=wanted.step, wide=wanted.wide,
             repair=wanted.repair, judge=judge, progress=progress, force=wanted.force,
         )  # fmt: skip
-    untried = [one for one in told if one.code == NOT_TRIED]
-    warnings = [one for one in told if one.code != NOT_TRIED]
+    untried = [one for one in remarks if one.code == NOT_TRIED]
+    warnings = [one for one in remarks if one.code != NOT_TRIED]
     faults = [one.fault.to_json() for one in warnings]
     verdict = "; ".join([f"{wanted.recipe}: valid", *untried])
     lines = [*(f"warning: {text}" for text in warnings), verdict]

@@ -17,8 +17,8 @@ from .output import Outcome
 
 def execute(wanted: argparse.Namespace, files: FileSet) -> Outcome:
     """Copy the files and return a sentence for each."""
-    told = copy_files(wanted.files, wanted.output, files)
-    return Outcome(told, {"files": told})
+    sentences = copy_files(wanted.files, wanted.output, files)
+    return Outcome(sentences, {"files": sentences})
 
 
 def copy_files(paths: Sequence[str | Path], out: str | Path, files: FileSet) -> list[str]:

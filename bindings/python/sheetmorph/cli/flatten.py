@@ -33,16 +33,16 @@ def execute(wanted: argparse.Namespace, files: FileSet) -> Outcome:
     is_mm = is_cad(wanted.file)
     unit = {"guess": "mm"} if is_mm else diagnose_file(read_part(wanted.file))["unit"]
     word = "units" if unit["guess"] == "unknown" else unit["guess"]
-    told = [line for pattern in patterns for line in table_of(pattern, word)]
+    lines = [line for pattern in patterns for line in table_of(pattern, word)]
     if word != "mm":
         what = f"lengths are in the unit of the file, which seems to be {word}"
-        told.append(f"note: {what} ({unit['reason']}); in the written files, 1 means 1 mm")
+        lines.append(f"note: {what} ({unit['reason']}); in the written files, 1 means 1 mm")
     data = {"unit": word, "blanks": [data_of(pattern) for pattern in patterns]}
     if output is None:
-        return Outcome(told, data)
+        return Outcome(lines, data)
     try:
         files.reads += [Path(wanted.file), *([Path(wanted.k_table)] if wanted.k_table else [])]
         written = write_patterns(patterns, output, files)
     except InputError as error:
         raise RecipeError([Fault(str(output), error.what, error.todo)]) from error
-    return Outcome([*told, *(f"wrote {path}" for path in written)], data)
+    return Outcome([*lines, *(f"wrote {path}" for path in written)], data)

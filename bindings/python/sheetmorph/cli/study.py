@@ -25,18 +25,20 @@ def execute(wanted: argparse.Namespace, files: FileSet) -> Outcome:
         what = "only the engine dask has a scheduler"
         raise RecipeError([Fault("--scheduler", what, "add --engine dask, or leave it out")])
     if wanted.evaluate is not None:
-        told = evaluate_files(wanted.recipe, *wanted.evaluate, files=files)
-        return Outcome(told, {"messages": told})
+        sentences = evaluate_files(wanted.recipe, *wanted.evaluate, files=files)
+        return Outcome(sentences, {"messages": sentences})
     if wanted.output is None:
         raise RecipeError([Fault("-o", "no folder is given", "add -o DIR, for the variants")])
     with progress_on(sys.stderr, wanted.quiet) as progress:
         if wanted.range:
-            told = study_range(wanted.recipe, wanted.output, progress)
-            return Outcome(told, _written(wanted.output, RANGE))
+            sentences = study_range(wanted.recipe, wanted.output, progress)
+            return Outcome(sentences, _written(wanted.output, RANGE))
         ways = Ways(wanted.engine, wanted.workers, wanted.scheduler, wanted.runs, progress)
-        told = run_study(wanted.recipe, wanted.output, ways).sentences
+        sentences = run_study(wanted.recipe, wanted.output, ways).sentences
     is_table = wanted.runs is None and wanted.engine not in ("slurm", "snakemake")
-    return Outcome(told, _written(wanted.output, SUMMARY) if is_table else {"messages": told})
+    return Outcome(
+        sentences, _written(wanted.output, SUMMARY) if is_table else {"messages": sentences}
+    )
 
 
 def _written(folder: str, name: str) -> Any:

@@ -254,13 +254,13 @@ class MovePanel(Panel):
         text = text.format(computed, drawn)
         is_steel = self._handles.assembly.Energy == "steel"
         if self._live.shown.share < 1.0:
-            told = translate("SheetMorph_panels", "Shown at {0:.0f} % of the motion. {1}")
-            text = told.format(100.0 * self._live.shown.share, text)
+            sentence = translate("SheetMorph_panels", "Shown at {0:.0f} % of the motion. {1}")
+            text = sentence.format(100.0 * self._live.shown.share, text)
         elif self._live.is_preview and is_steel:
-            told = translate(
+            sentence = translate(
                 "SheetMorph_panels", "Linear preview; the steel shape is computed on a pause. {0}"
             )
-            text = told.format(text)
+            text = sentence.format(text)
         elif self._live.is_preview:
             text = translate("SheetMorph_panels", "Preview: refined on release. {0}").format(text)
         elif is_steel:

@@ -62,8 +62,8 @@ class TestMigrations(support.DocumentTest):
         with mock.patch.object(migrations, "FreeCAD") as program:
             opened = self.reopen(self.document)
         self.assertEqual(opened.getObject("Morph").SchemaVersion, 99)
-        ((told,), _) = program.Console.PrintWarning.call_args
-        self.assertIn("'Morph' was saved by a newer version", told)
+        ((warning,), _) = program.Console.PrintWarning.call_args
+        self.assertIn("'Morph' was saved by a newer version", warning)
         program.Console.PrintWarning.assert_called_once()
 
     def test_each_step_from_the_version_of_an_object_is_done_once(self):

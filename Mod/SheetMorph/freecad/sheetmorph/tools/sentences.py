@@ -49,12 +49,12 @@ class DrawnFigure:
     def said(self) -> dict:
         """Return the figure as a selector."""
         places = [value for place in self.places for value in place]
-        told = {self.tool: places, "view": self.view}
+        figure = {self.tool: places, "view": self.view}
         if self.radius:
-            told["radius"] = self.radius
+            figure["radius"] = self.radius
         if self.through:
-            told["through"] = True
-        return {"drawn": told}
+            figure["through"] = True
+        return {"drawn": figure}
 
 
 def tool_of(told: dict) -> str:
@@ -89,11 +89,11 @@ def figure_of(told: dict) -> DrawnFigure:
     return figure
 
 
-def view_of(told: dict) -> list[float]:
+def view_of(figure: dict) -> list[float]:
     """Return the view of a drawn figure; the camera of an older document has a row for depths."""
-    if "view" in told:
-        return [float(value) for value in told["view"]]
-    return np.delete(np.reshape(told["camera"], (-1, 4)).astype(float), 2, 0).ravel().tolist()
+    if "view" in figure:
+        return [float(value) for value in figure["view"]]
+    return np.delete(np.reshape(figure["camera"], (-1, 4)).astype(float), 2, 0).ravel().tolist()
 
 
 def added(first: Said, second: Said) -> Said:
